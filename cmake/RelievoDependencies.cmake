@@ -1,0 +1,16 @@
+# Third-party packages, as Debian 12 ships them. OpenImageIO and OSMesa come through pkg-config
+# because their CMake packages are missing or broken there.
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+find_package(glm 0.9.9 CONFIG REQUIRED)
+find_package(glfw3 3.3 CONFIG REQUIRED)
+find_package(TBB CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+pkg_check_modules(OSMESA REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
+if(RELIEVO_BUILD_TESTS)
+  find_package(GTest CONFIG REQUIRED)
+endif()
