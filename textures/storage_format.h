@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "textures/plane.h"
+
+namespace relievo::textures {
+
+/// The number format of a map file: EXR holds Float and Half, PNG and TIFF hold U16 and U8.
+enum class StorageFormat { Float, Half, U16, U8 };
+
+/// "float", "half", "u16" or "u8": the words of the command line.
+constexpr std::string_view storageFormatName(StorageFormat format) noexcept {
+    switch (format) {
+        case StorageFormat::Float:
+            return "float";
+        case StorageFormat::Half:
+            return "half";
+        case StorageFormat::U16:
+            return "u16";
+        case StorageFormat::U8:
+            break;
+    }
+    return "u8";
+}
+
+/// The inverse of storageFormatName; nothing for any other word.
+constexpr std::optional<StorageFormat> storageFormatFromName(std::string_view name) noexcept {
+    for (const StorageFormat format :
+         {StorageFormat::Float, StorageFormat::Half, StorageFormat::U16, StorageFormat::U8})
+        if (storageFormatName(format) == name)
+            return format;
+    return std::nullopt;
+}
+
+/// The values that a reader of the file gets back for a channel called `channel`: rounded to what
+/// `format` holds, `cone` down and other channels to the nearest. Builders apply it to the depths
+/// before they build cones, so that the cones are safe for the depths that are really stored.
+Plane storedValues(const Plane& values, std::string_view channel, StorageFormat format);
+
+/// How many positive values of the channel become 0 when stored. For `cone`, a search stalls on such
+/// a texel.
+std::size_t countVanishing(const Plane& values, std::string_view channel, StorageFormat format);
+
+}  // namespace relievo::textures
