@@ -6,18 +6,19 @@ function(relievo_compile_options target)
   endif()
   if(RELIEVO_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
   # Archive members that a program does not use must not pull in their shared libraries
   # (OpenImageIO alone costs 0.16 s at every start).
-  target_link_options(${target} PUBLIC -Wl,--as-needed)
+  target_link_options(${target} PRIVATE -Wl,--as-needed)
 endfunction()
 
-# relievo_add_room(NAME SOURCES … HEADERS … [LINKS …] [PRIVATE_LINKS …])
+# relievo_add_room(NAME SOURCES … HEADERS … [LINKS …] [PRIVATE_LINKS …] [INTERNAL])
 # One room is one static library: target relievo_NAME, alias relievo::NAME. HEADERS are relative to
-# the room's folder and are installed to include/relievo/NAME/.
+# the room's folder and are installed to include/relievo/NAME/. An INTERNAL room serves our own
+# programs only and is not installed.
 function(relievo_add_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 ROOM "" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 ROOM "INTERNAL" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS")
   set(target relievo_${name})
   add_library(${target} STATIC ${ROOM_SOURCES} ${ROOM_HEADERS})
   add_library(relievo::${name} ALIAS ${target})
@@ -30,26 +31,37 @@ function(relievo_add_room name)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/relievo>")
   target_link_libraries(${target} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
   relievo_compile_options(${target})
-  install(TARGETS ${target} EXPORT relievoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(FILES ${ROOM_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relievo/${name})
+  if(NOT ROOM_INTERNAL)
+    install(TARGETS ${target} EXPORT relievoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES ${ROOM_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relievo/${name})
+  endif()
 endfunction()
 
-# relievo_add_command(NAME SOURCES … [LINKS …]): one command-line program, installed to bin/.
+# relievo_add_command(NAME SOURCES … [LINKS …]): one command-line program, built in the build
+# folder's bin/ and installed to bin/.
 function(relievo_add_command name)
   cmake_parse_arguments(PARSE_ARGV 1 COMMAND "" "" "SOURCES;LINKS")
   add_executable(${name} ${COMMAND_SOURCES})
   target_link_libraries(${name} PRIVATE ${COMMAND_LINKS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
   relievo_compile_options(${name})
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
-# relievo_add_tests(NAME SOURCES … [LINKS …] [LABELS …] [TIMEOUT s]): one GoogleTest binary.
+# What the sanitizer run builds: the test programs with the label `cpu`.
+add_custom_target(cpu_tests)
+
+# relievo_add_tests(NAME SOURCES … [LINKS …] [LABELS …] [TIMEOUT s] [ENVIRONMENT …])
+# One GoogleTest program. The label `cpu` (no OpenGL in it) makes it part of the sanitizer run.
 function(relievo_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 TESTS "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT")
   set(target relievo_${name}_tests)
   add_executable(${target} ${TESTS_SOURCES})
   target_link_libraries(${target} PRIVATE ${TESTS_LINKS} GTest::gtest GTest::gtest_main GTest::gmock)
   relievo_compile_options(${target})
+  if("cpu" IN_LIST TESTS_LABELS)
+    add_dependencies(cpu_tests ${target})
+  endif()
   add_test(NAME ${name} COMMAND ${target})
   if(NOT TESTS_TIMEOUT)
     set(TESTS_TIMEOUT 300)

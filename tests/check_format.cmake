@@ -1,0 +1,11 @@
+# Fails when a C++ file of the project is not as .clang-format says.
+file(GLOB rooms LIST_DIRECTORIES true "${SOURCE_DIR}/*")
+list(FILTER rooms EXCLUDE REGEX "/(build|out)$")
+foreach(room IN LISTS rooms)
+  file(GLOB_RECURSE files "${room}/*.h" "${room}/*.cpp")
+  list(APPEND sources ${files})
+endforeach()
+execute_process(COMMAND "${CLANG_FORMAT}" --dry-run --Werror ${sources} RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "Run clang-format-14 -i on the files above.")
+endif()
