@@ -34,19 +34,41 @@ struct ContextOptions {
 
 /// An OpenGL 4.5 core context. It is current on the thread that made it until another is made
 /// current. All drawing goes to framebuffer objects, so that the three back ends run the same code.
+///
+/// Contexts of one back end may be current on several threads at a time; contexts of different back
+/// ends, or with and without `debug`, must be used in turn, because the pointers to OpenGL's
+/// functions are those of the process. Destroy a context on the thread on which it is current,
+/// after the objects made in it.
 class Context {
   public:
     virtual ~Context() = default;
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    virtual void makeCurrent() = 0;
+    /// Makes the context current on this thread, in place of any other of any back end. Throws
+    /// GlError when the back end refuses.
+    void makeCurrent();
     [[nodiscard]] virtual Backend backend() const noexcept = 0;
-    /// GL_RENDERER and GL_VERSION, for reports.
+    /// GL_RENDERER and GL_VERSION, for reports. The context must be current.
     [[nodiscard]] std::string description() const;
 
   protected:
-    Context() = default;
+    /// Finds a function of OpenGL by its name.
+    using FunctionLookup = void (*(*)(const char*))();
+
+    explicit Context(bool debug) noexcept : debug_(debug) {}
+    /// Makes a newly made context current and sets up its debug output: the end of each back end's
+    /// constructor.
+    void start();
+    /// Lets go of the context if it is current: the start of each back end's destructor.
+    void stop() noexcept;
+
+  private:
+    virtual void attach() = 0;
+    virtual void detach() noexcept = 0;
+    [[nodiscard]] virtual FunctionLookup functionLookup() const noexcept = 0;
+
+    bool debug_;
 };
 
 /// Makes a context and makes it current. Throws GlError that says which back end failed and why
