@@ -20,14 +20,15 @@ struct HitComparison {
 };
 
 /// Errors of one technique over many rays. Distances are in tile widths, angles in degrees, shares
-/// in [0,1]. Distance and angle statistics are over the rays where both found a hit.
+/// in [0,1] of all rays. Distance and angle statistics are over the compared rays; the 99th
+/// percentile is by nearest rank, the smallest value that at least 99 % of them do not exceed.
 struct ErrorStatistics {
     std::size_t rays = 0;
-    std::size_t compared = 0;  ///< rays on which both have a hit
+    std::size_t compared = 0;  ///< rays on which both have a hit, the technique's a finite one
     double wrongShare = 0.0;   ///< hit against miss, unconverged, or off by over the tolerance
     double unconvergedShare = 0.0;
     double overshotShare = 0.0;  ///< off by over the tolerance, behind the true hit
-    double meanDistance = 0.0;
+    double meanDistance = 0.0;   ///< of |distance − exactDistance|
     double percentile99Distance = 0.0;
     double maximumDistance = 0.0;
     double meanNormalAngle = 0.0;
@@ -35,7 +36,8 @@ struct ErrorStatistics {
 };
 
 /// Statistics of `comparisons`; a first hit counts as wrong when it is off by more than `tolerance`
-/// tile widths along the ray (usually one texel, 1/W). An empty span gives all zeros.
+/// tile widths along the ray (usually one texel, 1/W). A hit whose distance or normal is not finite
+/// counts as wrong and is not compared. An empty span gives all zeros.
 ErrorStatistics summarizeErrors(std::span<const HitComparison> comparisons, double tolerance);
 
 }  // namespace relievo::reference
