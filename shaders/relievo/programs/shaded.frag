@@ -1,0 +1,46 @@
+// A relief shaded with Blinn–Phong, writing the depth of its hits.
+#include "relievo/material.glsl"
+#include "relievo/blinn_phong.glsl"
+#include "relievo/programs/surface_input.glsl"
+
+uniform mat4 viewProjection;
+uniform vec3 toLight;
+#ifdef RELIEVO_ALBEDO
+uniform sampler2D albedoMap;  // sRGB
+#endif
+
+layout(location = 0) out vec4 color;
+// A hit lies behind the surface that carries it, so the early depth test stays valid.
+layout(depth_greater) out float gl_FragDepth;
+
+// Linear RGB to sRGB (IEC 61966-2-1).
+vec3 toSrgb(vec3 linear) {
+    vec3 low = 12.92 * linear;
+    vec3 high = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
+    return mix(low, high, step(0.0031308, linear));
+}
+
+void main() {
+    vec2 uvX = dFdx(surfaceUv);
+    vec2 uvY = dFdy(surfaceUv);
+    vec3 view = surfaceView();
+    ReliefFragment relief = traceRelief(surfaceInput(), view);
+    // Outside the window there is no relief, and a search that ran out has found none: what it would
+    // shade is not a hit.
+    if (relief.hit.outcome == RELIEVO_OUTCOME_MISS) discard;
+#ifndef RELIEVO_MARK_EXHAUSTED
+    if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) discard;
+#endif
+
+#ifdef RELIEVO_ALBEDO
+    vec3 albedo = textureGrad(albedoMap, relief.hit.position.xy, uvX, uvY).rgb;
+#else
+    vec3 albedo = vec3(0.6);
+#endif
+    vec3 shaded = blinnPhong(albedo, relief.normal, toLight, -view, vec3(1.0));
+#ifdef RELIEVO_MARK_EXHAUSTED
+    if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) shaded = vec3(1.0, 0.0, 1.0);
+#endif
+    color = vec4(toSrgb(clamp(shaded, 0.0, 1.0)), 1.0);
+    gl_FragDepth = reliefWindowDepth(relief, viewProjection);
+}

@@ -1,0 +1,82 @@
+// The contract between ray set-up, search techniques and shading.
+//
+// Tile space: (u, v) texture coordinates, one tile = [0,1]², v downwards in the picture; z is the
+// normalised depth, 0 on the reference surface and 1 at the bottom. Lengths are measured in the metric
+// |(du, ρ·dv, dz)| with ρ = height/width of the map, in which texels are square.
+#include "relievo/constants.h"
+
+struct ReliefRay {
+    vec3 origin;      // (u, v, z) where the ray enters the relief
+    vec3 direction;   // (du, dv, dz) per unit of t, of length 1 in the metric
+    float speed;      // length of the horizontal part, in [0,1]
+    float end;        // t at which the ray leaves the window or reaches the bottom
+    float worldLength;  // length of one unit of t along the ray, in world units
+};
+
+struct ReliefHit {
+    vec3 position;  // (u, v, z)
+    float t;        // along the ray
+    int outcome;    // RELIEVO_OUTCOME_…
+    int steps;      // iterations of the search
+    int fetches;    // texture lookups of the search
+};
+
+// A point of the surface that carries the relief, in world space.
+struct ReliefSurface {
+    vec3 position;
+    vec3 normal;     // unit length, towards the outside
+    vec3 tangent;    // ∂position/∂u: its length is the width of a tile
+    vec3 bitangent;  // ∂position/∂v
+    vec2 uv;
+};
+
+vec3 reliefPoint(ReliefRay ray, float t) { return ray.origin + t * ray.direction; }
+
+// The dual basis of (tangent, bitangent) within their plane: dot(dualU, tangent) = 1,
+// dot(dualU, bitangent) = 0, and the other way round. It serves skewed and mirrored
+// parametrisations alike (specification 9, E2).
+void reliefDualBasis(ReliefSurface surface, out vec3 dualU, out vec3 dualV) {
+    float tt = dot(surface.tangent, surface.tangent);
+    float tb = dot(surface.tangent, surface.bitangent);
+    float bb = dot(surface.bitangent, surface.bitangent);
+    float determinant = max(tt * bb - tb * tb, 1e-30);
+    dualU = (bb * surface.tangent - tb * surface.bitangent) / determinant;
+    dualV = (tt * surface.bitangent - tb * surface.tangent) / determinant;
+}
+
+// The largest t at which origin + t·direction is within [low, high] on one axis.
+float reliefAxisExit(float origin, float direction, float low, float high) {
+    if (direction > 0.0) return (high - origin) / direction;
+    if (direction < 0.0) return (low - origin) / direction;
+    return RELIEVO_MAXIMUM_REACH;
+}
+
+// The ray through `surface` along `view` (unit length, from the eye into the scene) in tile space.
+// depthScale is a, the depth of D = 1 in tile widths; window is (minimum u, v, maximum u, v) of the
+// relief; aspect is ρ.
+//
+// With w = a·|tangent| the direction in tile space is (view·dualU, view·dualV, −view·normal / w). It
+// is scaled by w before it is normalised, so that a = 0 gives the vertical ray of a flat relief and
+// level rays need no division by their vertical speed.
+ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4 window,
+                        float aspect) {
+    vec3 dualU, dualV;
+    reliefDualBasis(surface, dualU, dualV);
+    float worldDepth = depthScale * length(surface.tangent);
+    vec3 scaled = vec3(worldDepth * dot(view, dualU), worldDepth * dot(view, dualV),
+                       -dot(view, surface.normal));
+    float norm = length(vec3(scaled.x, aspect * scaled.y, scaled.z));
+
+    ReliefRay ray;
+    ray.origin = vec3(surface.uv, 0.0);
+    // norm is 0 only for a level ray on a relief without depth: any direction will do.
+    ray.direction = norm > 0.0 ? scaled / norm : vec3(0.0, 0.0, 1.0);
+    ray.speed = length(vec2(ray.direction.x, aspect * ray.direction.y));
+    ray.worldLength = norm > 0.0 ? worldDepth / norm : 0.0;
+    float end = ray.speed > 0.0 ? RELIEVO_MAXIMUM_REACH / ray.speed : RELIEVO_MAXIMUM_REACH;
+    end = min(end, reliefAxisExit(ray.origin.x, ray.direction.x, window.x, window.z));
+    end = min(end, reliefAxisExit(ray.origin.y, ray.direction.y, window.y, window.w));
+    end = min(end, reliefAxisExit(ray.origin.z, ray.direction.z, 0.0, 1.0));
+    ray.end = max(end, 0.0);
+    return ray;
+}
