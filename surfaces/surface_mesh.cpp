@@ -1,0 +1,47 @@
+#include "surfaces/surface_mesh.h"
+
+#include <cassert>
+#include <glm/geometric.hpp>
+
+namespace relievo::surfaces {
+namespace {
+
+// Adds a rectangle: `right` and `down` are its whole sides, along which u and v grow.
+void addFace(SurfaceMesh& mesh, glm::vec3 center, glm::vec3 right, glm::vec3 down, Tiles tiles) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const glm::vec3 normal = glm::normalize(glm::cross(down, right));
+    for (const glm::vec2 corner :
+         {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
+        const glm::vec3 position = center + (corner.x - 0.5f) * right + (corner.y - 0.5f) * down;
+        mesh.vertices.push_back(
+            {position, normal, right / tiles.x, down / tiles.y, corner * tiles});
+    }
+    // Top left, bottom left, bottom right, top right: counter-clockwise seen against the normal.
+    for (const std::uint32_t k : {0u, 3u, 2u, 0u, 2u, 1u})
+        mesh.indices.push_back(first + k);
+}
+
+}  // namespace
+
+SurfaceMesh makeQuad(Tiles tiles, float aspect) {
+    assert(tiles.x > 0 && tiles.y > 0 && aspect > 0);
+    SurfaceMesh mesh;
+    mesh.windowMaximum = tiles;
+    addFace(mesh, glm::vec3(0), {1, 0, 0}, {0, -aspect * tiles.y / tiles.x, 0}, tiles);
+    return mesh;
+}
+
+SurfaceMesh makeBox(Tiles tiles) {
+    assert(tiles.x > 0 && tiles.y > 0);
+    SurfaceMesh mesh;
+    mesh.windowMaximum = tiles;
+    addFace(mesh, {0, 0, 0.5f}, {1, 0, 0}, {0, -1, 0}, tiles);
+    addFace(mesh, {0, 0, -0.5f}, {1, 0, 0}, {0, 1, 0}, tiles);
+    addFace(mesh, {0, -0.5f, 0}, {1, 0, 0}, {0, 0, -1}, tiles);
+    addFace(mesh, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, -1}, tiles);
+    addFace(mesh, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, -1}, tiles);
+    addFace(mesh, {-0.5f, 0, 0}, {0, -1, 0}, {0, 0, -1}, tiles);
+    return mesh;
+}
+
+}  // namespace relievo::surfaces

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace relievo::surfaces {
+
+/// A vertex of a surface that carries a relief. World space is right-handed with z up; (u,v) has
+/// its origin at the top left of the picture.
+struct SurfaceVertex {
+    glm::vec3 position;
+    glm::vec3 normal;     ///< unit length, towards the outside
+    glm::vec3 tangent;    ///< ∂position/∂u: its length is the width of a tile in world units
+    glm::vec3 bitangent;  ///< ∂position/∂v
+    glm::vec2 uv;
+};
+
+/// A coarse triangle mesh with tangent frames; triangles are counter-clockwise from outside.
+struct SurfaceMesh {
+    std::vector<SurfaceVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    /// The part of (u,v) that every face covers; the relief ends there.
+    glm::vec2 windowMinimum{0.0f};
+    glm::vec2 windowMaximum{1.0f};
+};
+
+/// The number of times that a map is repeated across a face, in u and v; both > 0.
+using Tiles = glm::vec2;
+
+/// A rectangle in the plane z = 0 that faces up, centred at the origin and 1 wide; its height keeps
+/// the texels of a map of aspect ρ = height/width square: ρ·tiles.y/tiles.x. u grows along +x, v
+/// along −y.
+SurfaceMesh makeQuad(Tiles tiles, float aspect);
+
+/// The cube [−½,½]³ with the map on each of its six faces, the reliefs sunk into it. Texels are
+/// square where aspect·tiles.y = tiles.x.
+SurfaceMesh makeBox(Tiles tiles);
+
+}  // namespace relievo::surfaces
