@@ -1,0 +1,84 @@
+#include "materials/relief_material.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "gl/context.h"
+#include "textures/input_error.h"
+
+namespace relievo::materials {
+namespace {
+
+// The location of a uniform that the shader library declares: without it the picture would be wrong
+// in silence, so its absence is an error.
+GLint uniformLocation(GLuint program, std::string_view name) {
+    const GLint location = glGetUniformLocation(program, std::string(name).c_str());
+    if (location < 0)
+        throw gl::GlError(
+            fmt::format("the program has no uniform {}: it must include the technique's file and "
+                        "relievo/material.glsl, and use what traceRelief returns",
+                        name));
+    return location;
+}
+
+}  // namespace
+
+ReliefMaterial::ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique)
+    : maps_(std::move(maps)), technique_(&technique) {
+    for (const std::string_view map : technique.maps)
+        maps_->require(map);
+    maps_->require("derivative");
+    for (const TechniqueParameter& parameter : technique.parameters)
+        values_.push_back(parameter.defaultValue);
+}
+
+void ReliefMaterial::setParameter(std::string_view name, double value) {
+    const TechniqueParameter& info = findParameter(*technique_, name);
+    const bool whole = std::nearbyint(value) == value;
+    if (!(value >= info.minimum && value <= info.maximum) || (info.isInteger && !whole))
+        throw textures::InputError(fmt::format(
+            "{} {}: {} is not {} from {} to {}", technique_->name, name, value,
+            info.isInteger ? "a whole number" : "a number", info.minimum, info.maximum));
+    values_[static_cast<std::size_t>(&info - technique_->parameters.data())] = value;
+}
+
+double ReliefMaterial::parameter(std::string_view name) const {
+    const TechniqueParameter& info = findParameter(*technique_, name);
+    return values_[static_cast<std::size_t>(&info - technique_->parameters.data())];
+}
+
+std::vector<shaders::Define> ReliefMaterial::defines() const {
+    std::vector<shaders::Define> result;
+    if (maps_->maps().encoding == textures::ConeEncoding::Radius)
+        result.push_back({"RELIEVO_CONE_RADIUS", "1"});
+    return result;
+}
+
+GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
+    GLuint unit = firstUnit;
+    const auto bindMap = [&](std::string_view name) {
+        glProgramUniform1i(program, uniformLocation(program, reliefMapFormat(name).sampler),
+                           static_cast<GLint>(unit));
+        maps_->texture(name).bind(unit++);
+    };
+    for (const std::string_view map : technique_->maps)
+        bindMap(map);
+    bindMap("derivative");
+
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+        const TechniqueParameter& info = technique_->parameters[k];
+        const GLint location = uniformLocation(program, info.uniform);
+        if (info.isInteger)
+            glProgramUniform1i(program, location, static_cast<GLint>(values_[k]));
+        else
+            glProgramUniform1f(program, location, static_cast<GLfloat>(values_[k]));
+    }
+    glProgramUniform1f(program, uniformLocation(program, "relievoDepthScale"), depthScale);
+    glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
+                        glm::value_ptr(window));
+    return unit;
+}
+
+}  // namespace relievo::materials

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <glad/gl.h>
+
+#include <glm/vec4.hpp>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "materials/relief_maps.h"
+#include "materials/technique_registry.h"
+#include "shaders/shader_library.h"
+
+namespace relievo::materials {
+
+/// A relief shown with one technique: what a renderer needs to draw it with a program of its own.
+///
+/// The renderer's fragment shader includes the technique's file and then "relievo/material.glsl",
+/// with `defines()` in front, and calls traceRelief; before drawing it calls `bind`. See
+/// materials/examples/own_renderer.cpp.
+class ReliefMaterial {
+  public:
+    /// Parameters take their defaults. Throws textures::InputError when `maps` lacks a channel that
+    /// the technique or its shading needs.
+    ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique);
+
+    /// Sets a parameter of the technique. Throws textures::InputError for an unknown name, a value
+    /// out of range (the message says the range), or a fraction where an integer is expected.
+    void setParameter(std::string_view name, double value);
+    [[nodiscard]] double parameter(std::string_view name) const;
+
+    /// What the shader text must define for this relief and technique.
+    [[nodiscard]] std::vector<shaders::Define> defines() const;
+
+    /// Binds the maps to texture units from `firstUnit` and sets the uniforms of `program` (which
+    /// need not be current). Returns the first unit that stays free. Throws gl::GlError naming a
+    /// uniform that the program lacks.
+    GLuint bind(GLuint program, GLuint firstUnit = 0) const;
+
+    [[nodiscard]] const Technique& technique() const noexcept { return *technique_; }
+    [[nodiscard]] const ReliefMaps& maps() const noexcept { return *maps_; }
+
+    /// a: the depth of D = 1 in tile widths, ≥ 0. It may change every frame.
+    float depthScale = 0.1f;
+    /// The part of (u,v) where the relief exists: minimum u, v, maximum u, v.
+    glm::vec4 window{
+        -std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+        std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+
+  private:
+    std::shared_ptr<ReliefMaps> maps_;
+    const Technique* technique_;
+    std::vector<double> values_;  // one a parameter of the technique
+};
+
+}  // namespace relievo::materials

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace relievo::materials {
+
+/// A number that a technique takes, and the uniform that carries it.
+struct TechniqueParameter {
+    std::string_view name;         ///< on command lines and in reports: "linear-steps"
+    std::string_view uniform;      ///< in the technique's GLSL file
+    std::string_view description;  ///< one line for --list and --help
+    double minimum;
+    double maximum;
+    double defaultValue;
+    bool isInteger;
+    bool isBudget;  ///< the step budget: what a benchmark varies to trade time for error
+};
+
+/// One search technique. Adding one is a GLSL file in shaders/relievo/techniques/ and an entry
+/// here: the commands, the viewer, the tests and the benchmark list from this registry.
+struct Technique {
+    std::string_view name;    ///< on command lines
+    std::string_view title;   ///< on pictures and plots
+    std::string_view origin;  ///< author and year
+    std::string_view file;    ///< in the shader library
+    /// Names of the maps that the search reads (relief_maps.h). Shading reads `derivative` besides.
+    std::span<const std::string_view> maps;
+    std::span<const TechniqueParameter> parameters;
+};
+
+/// All techniques, the cheapest first.
+std::span<const Technique> techniques();
+
+/// The technique that searches nothing and shows hits found elsewhere, such as those of the exact
+/// reference on the CPU, through the shading of all others. It reads them from the sampler
+/// `relievoGivenHits` (u, v, z, t; t < 0 for a miss), a texture of the frame's size. Not listed.
+const Technique& givenHitsTechnique();
+
+/// The technique called `name`. Throws textures::InputError, listing the names, for an unknown one.
+const Technique& findTechnique(std::string_view name);
+
+/// The parameter of `technique` called `name`. Throws textures::InputError, listing the names.
+const TechniqueParameter& findParameter(const Technique& technique, std::string_view name);
+
+/// The step budget of `technique`, or null for one without (normal mapping).
+const TechniqueParameter* budgetParameter(const Technique& technique);
+
+}  // namespace relievo::materials
