@@ -1,0 +1,167 @@
+#include "viewer/headless.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "commands/program.h"
+#include "gl/context.h"
+#include "reference/error_metrics.h"
+#include "viewer/contact_sheet.h"
+#include "viewer/error_image.h"
+#include "viewer/heat_map.h"
+#include "viewer/view_session.h"
+
+namespace relievo::viewer {
+namespace {
+
+// What one file contributes to the output.
+struct FileResult {
+    std::vector<SheetCell> pictures;
+    std::vector<SheetCell> heatMaps;
+    std::vector<NamedPlane> errors;
+};
+
+class HeadlessRun {
+  public:
+    HeadlessRun(SceneRenderer& renderer, const ViewOptions& options)
+        : renderer_(renderer),
+          options_(options),
+          view_(makeView(options,
+                         static_cast<float>(options.width) / static_cast<float>(options.height))),
+          target_(options.width, options.height, std::array<GLenum, 1>{GL_RGBA8}) {}
+
+    FileResult run(const std::string& label) {
+        for (const std::string& name : options_.techniques) {
+            if (name == kReferenceName)
+                addReference(label);
+            else
+                addTechnique(materials::findTechnique(name), label);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    // The exact hits are the same for all techniques: traced once, when they are first needed.
+    const ReferenceFrame& reference() {
+        if (!reference_) {
+            const auto start = std::chrono::steady_clock::now();
+            reference_ = renderer_.trace(view_, options_.width, options_.height);
+            const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+            commands::say(fmt::format("  exact reference: {} rays in {:.2f} s",
+                                      reference_->pixels.size(), time.count()));
+        }
+        return *reference_;
+    }
+
+    Picture readTarget() const {
+        Picture picture(options_.width, options_.height);
+        picture.rgba = target_.read(0);
+        return picture;
+    }
+
+    void addReference(const std::string& label) {
+        renderer_.drawReference(reference(), view_, target_);
+        result_.pictures.push_back(
+            {readTarget(), label + "exact reference", "first hits in double precision"});
+        if (!options_.errorFile.empty())
+            result_.heatMaps.push_back(heatMapCell());
+    }
+
+    // Under the exact picture there is no error to show: the place serves the scale's explanation.
+    SheetCell heatMapCell() const {
+        Picture empty(options_.width, options_.height);
+        for (std::size_t k = 0; k < empty.rgba.size(); ++k)
+            empty.rgba[k] = k % 4 == 3 ? 1.0f : 0.13f;
+        return {empty, "distance from the exact hit, along the ray", ""};
+    }
+
+    void addTechnique(const materials::Technique& technique, const std::string& label) {
+        materials::ReliefMaterial material = makeConfiguredMaterial(renderer_, technique, options_);
+        renderer_.draw(material, view_, target_);
+        const MeasuredFrame frame =
+            renderer_.measure(material, view_, options_.width, options_.height);
+        const WorkCounts work = countWork(frame);
+        std::string counts =
+            fmt::format("{:.1f} steps, {:.1f} fetches a pixel", work.meanSteps, work.meanFetches);
+        if (work.exhausted > 0)
+            counts += fmt::format(", {} ran out", work.exhausted);
+        commands::say(fmt::format("  {}: {}", technique.title, counts));
+        result_.pictures.push_back({readTarget(), label + std::string(technique.title), counts});
+        if (!options_.errorFile.empty())
+            addErrors(technique, frame, label);
+    }
+
+    void addErrors(const materials::Technique& technique, const MeasuredFrame& frame,
+                   const std::string& label) {
+        const textures::DepthMap& map = renderer_.depthMap();
+        const auto comparisons = compareFrames(frame, reference(), map, view_.depthScale);
+        const double texel = 1.0 / map.width();
+        const reference::ErrorStatistics errors = reference::summarizeErrors(comparisons, texel);
+        const std::string summary = fmt::format(
+            "{:.2f} % wrong, mean {:.3f}, 99 % {:.2f}, max {:.1f} texels, normal {:.2f}°",
+            100 * errors.wrongShare, errors.meanDistance / texel,
+            errors.percentile99Distance / texel, errors.maximumDistance / texel,
+            errors.meanNormalAngle);
+        commands::say(fmt::format("    against the exact hits: {}", summary));
+        const ErrorImage image = makeErrorImage(frame, reference(), map, view_.depthScale);
+        result_.heatMaps.push_back(
+            {heatMap(image), fmt::format("error of {}", technique.title), summary});
+        for (NamedPlane& plane : namedPlanes(image, label.empty() ? std::string(technique.name)
+                                                                  : label + technique.name.data()))
+            result_.errors.push_back(std::move(plane));
+    }
+
+    SceneRenderer& renderer_;
+    const ViewOptions& options_;
+    View view_;
+    gl::Framebuffer target_;
+    std::optional<ReferenceFrame> reference_;
+    FileResult result_;
+};
+
+// A single technique without errors is a plain picture; anything else is a sheet.
+Picture assemble(std::vector<FileResult>& results, bool withErrors) {
+    if (results.size() == 1 && results[0].pictures.size() == 1 && !withErrors)
+        return std::move(results[0].pictures[0].picture);
+    std::vector<std::vector<SheetCell>> rows;
+    for (FileResult& result : results) {
+        rows.push_back(std::move(result.pictures));
+        if (withErrors)
+            rows.push_back(std::move(result.heatMaps));
+    }
+    const int width = rows.front().front().picture.width;
+    const int columns = static_cast<int>(rows.front().size());
+    const Picture footer =
+        withErrors ? heatScale(std::max(480, std::min(columns, 2) * width)) : Picture();
+    return makeContactSheet(rows, footer);
+}
+
+}  // namespace
+
+void runHeadless(const ViewOptions& options) {
+    const auto context = gl::createContext(options.backend);
+    commands::say(context->description());
+    std::vector<FileResult> results;
+    std::vector<NamedPlane> errors;
+    for (const std::filesystem::path& file : options.files) {
+        const auto renderer = openRelief(file, options);
+        commands::say(fmt::format("{}: {}x{}, {}", file.string(), renderer->depthMap().width(),
+                                  renderer->depthMap().height(),
+                                  textures::wrapModeName(renderer->depthMap().wrap)));
+        const std::string label = options.files.size() > 1 ? file.stem().string() + " " : "";
+        results.push_back(HeadlessRun(*renderer, options).run(label));
+        std::ranges::move(results.back().errors, std::back_inserter(errors));
+    }
+    if (!errors.empty()) {
+        writeChannels(options.errorFile, errors);
+        commands::say(fmt::format("wrote {}", options.errorFile.string()));
+    }
+    writePicture(options.output, assemble(results, !options.errorFile.empty()));
+    commands::say(fmt::format("wrote {}", options.output.string()));
+}
+
+}  // namespace relievo::viewer

@@ -1,0 +1,53 @@
+// relievo-view: shows a relief with one or several techniques, next to the exact picture, in a
+// window or without one.
+#include <fmt/format.h>
+
+#include "commands/program.h"
+#include "materials/technique_registry.h"
+#include "viewer/headless.h"
+#include "viewer/view_options.h"
+
+namespace {
+
+using namespace relievo;
+
+void listTechniques() {
+    for (const materials::Technique& technique : materials::techniques()) {
+        std::string maps;
+        for (const std::string_view map : technique.maps)
+            maps += fmt::format("{}{}", maps.empty() ? "" : ", ", map);
+        commands::answer(fmt::format("{}: {} ({}); maps: {}, derivative", technique.name,
+                                     technique.title, technique.origin, maps));
+        for (const materials::TechniqueParameter& parameter : technique.parameters)
+            commands::answer(fmt::format("    {}: {}, {:g} to {:g}, default {:g}", parameter.name,
+                                         parameter.description, parameter.minimum,
+                                         parameter.maximum, parameter.defaultValue));
+    }
+    commands::answer(
+        fmt::format("{}: the exact first hits, traced on the CPU", viewer::kReferenceName));
+}
+
+void run(viewer::ViewOptions& options) {
+    if (options.techniques.empty())
+        options.techniques = {"cone"};
+    viewer::checkViewOptions(options);
+    if (options.list)
+        listTechniques();
+    else
+        viewer::runHeadless(options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Shows reliefs with any technique, next to the exact picture.", "relievo-view");
+    viewer::ViewOptions options;
+    viewer::addViewOptions(app, options);
+    app.footer(
+        "Examples:\n"
+        "  relievo-view bricks.exr\n"
+        "  relievo-view bricks.exr --compare relief,cone,reference --headless -o sheet.png "
+        "--error errors.exr\n"
+        "  relievo-view bricks.exr --mesh box --tiles 2,2 --depth-scale 0.05 --camera 20,15,2");
+    return commands::runProgram(app, argc, argv, [&] { run(options); });
+}

@@ -1,0 +1,207 @@
+#include "viewer/view_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "commands/program.h"
+#include "materials/technique_registry.h"
+
+namespace relievo::viewer {
+namespace {
+
+using commands::UsageError;
+
+double parseNumber(std::string_view text, std::string_view option) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw CLI::ValidationError(std::string(option),
+                                   fmt::format("\"{}\" is not a number", text));
+    return value;
+}
+
+// "AZ,EL" or "1,2,3": between `least` and `most` numbers.
+std::vector<float> parseNumbers(std::string_view text, char separator, std::size_t least,
+                                std::size_t most, std::string_view option) {
+    std::vector<float> numbers;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, start), text.size());
+        numbers.push_back(static_cast<float>(parseNumber(text.substr(start, end - start), option)));
+        start = end + 1;
+    }
+    if (numbers.size() < least || numbers.size() > most)
+        throw CLI::ValidationError(
+            std::string(option),
+            fmt::format(
+                "\"{}\" has {} numbers, expected {}", text, numbers.size(),
+                least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most)));
+    return numbers;
+}
+
+ParameterSetting parseSetting(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw CLI::ValidationError(
+            "--set",
+            fmt::format("\"{}\" has no =, expected NAME=VALUE such as cone-steps=64", text));
+    ParameterSetting setting;
+    setting.name = text.substr(0, equals);
+    setting.value = parseNumber(std::string_view(text).substr(equals + 1), "--set");
+    if (const std::size_t dot = setting.name.find('.'); dot != std::string::npos) {
+        setting.technique = setting.name.substr(0, dot);
+        setting.name.erase(0, dot + 1);
+    }
+    return setting;
+}
+
+void addSceneOptions(CLI::App& app, ViewOptions& options) {
+    app.add_option("--mesh", options.object, "Object that carries the relief: quad or box")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ObjectKind>{
+            {"quad", ObjectKind::Quad}, {"box", ObjectKind::Box}}))
+        ->default_str("quad");
+    app.add_option("--depth-scale", options.depthScale,
+                   "Depth of the relief in tile widths; 0 is flat")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    app.add_option_function<std::string>(
+           "--tiles",
+           [&options](const std::string& text) {
+               const auto n = parseNumbers(text, ',', 2, 2, "--tiles");
+               options.tiles = {n[0], n[1]};
+           },
+           "Repetitions of the map across the object, in u and v")
+        ->type_name("X,Y")
+        ->default_str("1,1");
+    app.add_option_function<std::string>(
+           "--camera",
+           [&options](const std::string& text) {
+               const auto n = parseNumbers(text, ',', 2, 3, "--camera");
+               options.camera.azimuth = n[0];
+               options.camera.elevation = n[1];
+               if (n.size() > 2)
+                   options.camera.distance = n[2];
+           },
+           "Eye around the object: azimuth and elevation in degrees, distance in object widths")
+        ->type_name("AZ,EL[,DISTANCE]")
+        ->default_str("35,40,1.6");
+    app.add_option_function<std::string>(
+           "--light",
+           [&options](const std::string& text) {
+               const auto n = parseNumbers(text, ',', 2, 2, "--light");
+               options.light = {n[0], n[1]};
+           },
+           "Direction towards the light: azimuth and elevation in degrees")
+        ->type_name("AZ,EL")
+        ->default_str("-50,40");
+    app.add_option("--albedo", options.albedo, "Colour image (sRGB) for the surface; default grey")
+        ->type_name("FILE");
+}
+
+void addOutputOptions(CLI::App& app, ViewOptions& options) {
+    app.add_option_function<std::string>(
+           "--size",
+           [&options](const std::string& text) {
+               const auto n = parseNumbers(text, 'x', 2, 2, "--size");
+               options.width = static_cast<int>(n[0]);
+               options.height = static_cast<int>(n[1]);
+           },
+           "Size in pixels of the window, or of each picture of a headless run (16 to 8192)")
+        ->type_name("WxH")
+        ->default_str("512x512");
+    app.add_flag("--headless", options.headless, "Render without a window and write -o");
+    app.add_option("-o,--output", options.output,
+                   "Picture of a headless run (.png, or .exr as half floats); several techniques "
+                   "make a contact sheet with labels")
+        ->type_name("FILE");
+    app.add_option("--error", options.errorFile,
+                   "Compare with the exact hits: a row of heat maps on the sheet, and the raw "
+                   "errors per technique in this .exr (distance in texels, normal_angle in "
+                   "degrees, verdict, steps, fetches)")
+        ->type_name("MAP.exr");
+    app.add_flag("--mark-exhausted", options.markExhausted,
+                 "Paint pixels whose search ran out of steps magenta instead of leaving holes");
+    app.add_option("--backend", options.backend, "Context of a headless run: osmesa, egl or glfw")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, gl::Backend>{{"osmesa", gl::Backend::OSMesa},
+                                               {"egl", gl::Backend::Egl},
+                                               {"glfw", gl::Backend::Glfw}}))
+        ->default_str("osmesa");
+}
+
+void checkTechniques(const ViewOptions& options) {
+    for (const std::string& name : options.techniques)
+        if (name != kReferenceName)
+            materials::findTechnique(name);
+}
+
+// Every --set must reach at least one technique that is shown.
+void checkParameters(const ViewOptions& options) {
+    for (const ParameterSetting& setting : options.parameters) {
+        const bool used = std::ranges::any_of(options.techniques, [&](const std::string& name) {
+            if (name == kReferenceName)
+                return false;
+            if (!setting.technique.empty() && setting.technique != name)
+                return false;
+            return std::ranges::any_of(materials::findTechnique(name).parameters,
+                                       [&](const auto& info) { return info.name == setting.name; });
+        });
+        if (!used)
+            throw UsageError(
+                fmt::format("--set {}: no technique shown has a parameter of that name; "
+                            "see relievo-view --list",
+                            setting.name));
+    }
+}
+
+}  // namespace
+
+void addViewOptions(CLI::App& app, ViewOptions& options) {
+    app.add_option("FILE", options.files, "Map files made by relievo-bake relief");
+    auto* technique = app.add_option_function<std::string>(
+        "--technique", [&options](const std::string& name) { options.techniques = {name}; },
+        "Technique to show; see --list. \"reference\" is the exact picture");
+    technique->type_name("NAME")->default_str("cone");
+    app.add_option_function<std::vector<std::string>>(
+           "--compare",
+           [&options](const std::vector<std::string>& names) { options.techniques = names; },
+           "Techniques to show next to each other, comma separated")
+        ->type_name("A,B,...")
+        ->delimiter(',')
+        ->excludes(technique);
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&options](const std::vector<std::string>& settings) {
+               for (const std::string& text : settings)
+                   options.parameters.push_back(parseSetting(text));
+           },
+           "Parameter of a technique (see --list): NAME=VALUE or TECHNIQUE.NAME=VALUE; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    addSceneOptions(app, options);
+    addOutputOptions(app, options);
+    app.add_flag("--list", options.list, "List the techniques with their parameters and exit");
+}
+
+void checkViewOptions(const ViewOptions& options) {
+    if (options.list)
+        return;
+    if (options.files.empty())
+        throw UsageError("no map file given, expected a file made by relievo-bake relief");
+    if (options.headless && options.output.empty())
+        throw UsageError("--headless needs -o FILE for the picture");
+    if (!options.headless && (!options.output.empty() || !options.errorFile.empty()))
+        throw UsageError("-o and --error belong to --headless");
+    if (options.width < 16 || options.width > 8192 || options.height < 16 || options.height > 8192)
+        throw UsageError(fmt::format("--size {}x{}: expected 16 to 8192 pixels a side",
+                                     options.width, options.height));
+    if (!(options.tiles.x > 0 && options.tiles.y > 0))
+        throw UsageError("--tiles: expected two numbers above 0");
+    if (!(options.camera.distance > 0))
+        throw UsageError("--camera: expected a distance above 0");
+    checkTechniques(options);
+    checkParameters(options);
+}
+
+}  // namespace relievo::viewer

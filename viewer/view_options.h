@@ -1,0 +1,57 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gl/context.h"
+#include "viewer/camera.h"
+
+namespace relievo::viewer {
+
+/// The object that carries the relief.
+enum class ObjectKind { Quad, Box };
+
+/// A value for a technique's parameter: "NAME=VALUE" for all techniques that have it, or
+/// "TECHNIQUE.NAME=VALUE".
+struct ParameterSetting {
+    std::string technique;  ///< empty for all
+    std::string name;
+    double value = 0.0;
+};
+
+/// What the command line of relievo-view asks for.
+struct ViewOptions {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> techniques;  ///< of the registry, or "reference"
+    std::vector<ParameterSetting> parameters;
+    ObjectKind object = ObjectKind::Quad;
+    float depthScale = 0.1f;
+    glm::vec2 tiles{1.0f};
+    OrbitCamera camera;
+    glm::vec2 light{-50.0f, 40.0f};  ///< azimuth and elevation in degrees
+    int width = 512;
+    int height = 512;
+    std::filesystem::path albedo;     ///< empty: plain grey
+    std::filesystem::path output;     ///< headless: the picture
+    std::filesystem::path errorFile;  ///< headless: raw errors
+    bool headless = false;
+    bool list = false;
+    bool markExhausted = false;
+    gl::Backend backend = gl::Backend::OSMesa;  ///< of a headless run
+};
+
+/// The name of the exact picture in --technique and --compare.
+inline constexpr std::string_view kReferenceName = "reference";
+
+/// Adds the options of relievo-view to `app`; parsing fills `options`.
+void addViewOptions(CLI::App& app, ViewOptions& options);
+
+/// Checks what the parser cannot: options that do not go together, names of techniques and
+/// parameters. Throws commands::UsageError or textures::InputError.
+void checkViewOptions(const ViewOptions& options);
+
+}  // namespace relievo::viewer
