@@ -25,10 +25,10 @@ struct HeightImage {
 };
 
 /// Reads any image that OpenImageIO reads: 8/16-bit integers map to [0,1], float values must lie in
-/// [0,1]. The channel is the one that was asked for, else the only one, else `Y`, else `R` when red,
-/// green and blue are equal, else the Rec. 709 luminance (with a notice); alpha is used only when
-/// asked for. Throws InputError for a missing, foreign, truncated, empty or oversized file, values
-/// that are not finite or out of range, and a channel that the file lacks.
+/// [0,1]. The channel is the one that was asked for, else the only one, else `Y`, else `R` when
+/// red, green and blue are equal, else the Rec. 709 luminance (with a notice); alpha is used only
+/// when asked for. Throws InputError for a missing, foreign, truncated, empty or oversized file,
+/// values that are not finite or out of range, and a channel that the file lacks.
 HeightImage readHeightImage(const std::filesystem::path& file, const HeightImageOptions& options);
 
 }  // namespace relievo::textures

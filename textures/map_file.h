@@ -8,10 +8,10 @@
 namespace relievo::textures {
 
 /// Writes a map file: `.exr` (Float, Half; named channels) or `.png`, `.tif`, `.tiff` (U16, U8; up
-/// to four channels packed as RGBA, with names and ranges in the metadata). A packed file that holds
-/// only channels of the thesis' form has them at R=dx, G=dy, B=cone, A=depth when there are enough
-/// of them, other channels keep their order. Values are rounded as storedValues says. The file
-/// appears whole or not at all. Throws InputError when the format and the extension do not go
+/// to four channels packed as RGBA, with names and ranges in the metadata). A packed file that
+/// holds only channels of the thesis' form has them at R=dx, G=dy, B=cone, A=depth when there are
+/// enough of them, other channels keep their order. Values are rounded as storedValues says. The
+/// file appears whole or not at all. Throws InputError when the format and the extension do not go
 /// together, when there are too many channels for a packed file, when a value cannot be stored
 /// (not finite), or when writing fails. The same maps give the same bytes.
 void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format);

@@ -35,13 +35,24 @@ constexpr std::optional<StorageFormat> storageFormatFromName(std::string_view na
     return std::nullopt;
 }
 
+/// Whether a file of this format packs its channels into integer codes (PNG, TIFF).
+constexpr bool isPackedFormat(StorageFormat format) noexcept {
+    return format == StorageFormat::U16 || format == StorageFormat::U8;
+}
+
+/// The largest finite half: what an infinite ratio is stored as in EXR files, Half or Float.
+inline constexpr float kLargestHalf = 65504.0f;
+
 /// The values that a reader of the file gets back for a channel called `channel`: rounded to what
-/// `format` holds, `cone` down and other channels to the nearest. Builders apply it to the depths
-/// before they build cones, so that the cones are safe for the depths that are really stored.
+/// `format` holds, `cone` (and `roof`, `ratio`) down and other channels to the nearest. A second
+/// pass changes nothing. Infinite ratios become kLargestHalf, or the top of the packed range.
+/// Builders apply it to the depths before they build cones, so that the cones are safe for the
+/// depths that are really stored. Values above kLargestHalf in other channels do not fit Half:
+/// writeMapFile refuses them.
 Plane storedValues(const Plane& values, std::string_view channel, StorageFormat format);
 
-/// How many positive values of the channel become 0 when stored. For `cone`, a search stalls on such
-/// a texel.
+/// How many positive values of the channel become 0 when stored. For `cone`, a search stalls on
+/// such a texel.
 std::size_t countVanishing(const Plane& values, std::string_view channel, StorageFormat format);
 
 }  // namespace relievo::textures

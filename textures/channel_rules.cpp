@@ -1,0 +1,36 @@
+#include "textures/channel_rules.h"
+
+#include <array>
+
+namespace relievo::textures {
+
+namespace {
+
+struct NamedRule {
+    std::string_view name;
+    ChannelRule rule;
+};
+
+constexpr ChannelRule kUnit{Rounding::Nearest, false, true};
+constexpr ChannelRule kSigned{Rounding::Nearest, true, false};
+constexpr ChannelRule kSafe{Rounding::Down, false, false};
+constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
+
+/// Roof cones may have a layer per sector: `roof0`, `ratio0` … follow the rule of `roof`, `ratio`.
+constexpr std::array kRules{
+    NamedRule{"depth", kUnit}, NamedRule{"dx", kSigned},  NamedRule{"dy", kSigned},
+    NamedRule{"nx", kSigned},  NamedRule{"ny", kSigned},  NamedRule{"nz", kSigned},
+    NamedRule{"cone", kSafe},  NamedRule{"ratio", kSafe}, NamedRule{"roof", kSafeUnit},
+};
+
+}  // namespace
+
+ChannelRule channelRule(std::string_view name) noexcept {
+    const std::size_t letters = name.find_last_not_of("0123456789") + 1;
+    for (const NamedRule& known : kRules)
+        if (known.name == name.substr(0, letters))
+            return known.rule;
+    return kSigned;
+}
+
+}  // namespace relievo::textures

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace relievo::textures {
+
+/// Which way a stored value may leave the true one: a cone that is too wide lets a ray pass the
+/// surface, one that is too narrow only costs steps.
+enum class Rounding { Nearest, Down };
+
+/// How the values of a channel are stored.
+struct ChannelRule {
+    Rounding rounding = Rounding::Nearest;
+    bool isSigned = false;     ///< has values of both signs, and 0 must come back as exactly 0
+    bool isUnitRange = false;  ///< lies in [0,1] by definition
+};
+
+/// The rule of the channel called `name`; names that the specification does not list are rounded to
+/// the nearest value and may have either sign.
+ChannelRule channelRule(std::string_view name) noexcept;
+
+}  // namespace relievo::textures

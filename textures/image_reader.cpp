@@ -1,0 +1,160 @@
+#include "textures/image_reader.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "textures/input_error.h"
+#include "textures/truncation.h"
+
+namespace relievo::textures {
+
+namespace {
+
+constexpr int kLargestSide = 32768;
+constexpr double kMebibyte = 1024.0 * 1024.0;
+constexpr double kLargestImage = 1024.0 * kMebibyte;
+
+[[noreturn]] void reject(const std::filesystem::path& file, std::string_view what) {
+    throw InputError(fmt::format("{}: {}", file.string(), what));
+}
+
+/// OpenImageIO's last message, as the end of a sentence on one line.
+std::string reason(std::string message) {
+    message = message.substr(0, message.find('\n'));
+    while (!message.empty() && (message.back() == '.' || message.back() == ' '))
+        message.pop_back();
+    return message.empty() ? "no reason given" : message;
+}
+
+/// Why opening failed, in brackets; nothing when no format reader recognised the file.
+std::string openingFailure() {
+    const std::string message = reason(OIIO::geterror());
+    return message.starts_with("OpenImageIO could not find") ? "" : fmt::format(" ({})", message);
+}
+
+void checkRegularFile(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) {
+        const bool missing = status.type() == std::filesystem::file_type::not_found;
+        reject(file, missing ? "no such file, expected an image"
+                             : fmt::format("cannot be opened: {}", error.message()));
+    }
+    if (std::filesystem::is_directory(status))
+        reject(file, "is a folder, expected an image file");
+    if (!std::filesystem::is_regular_file(status))
+        reject(file, "is no regular file, expected an image file");
+    if (std::filesystem::file_size(file, error) == 0)
+        reject(file, "is empty (0 bytes), expected an image");
+    if (isTruncatedImage(file))
+        reject(file, "is truncated, expected a whole image");
+}
+
+void checkShape(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
+    if (spec.deep || spec.depth > 1)
+        reject(file, "is a deep or volume image, expected a flat one");
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        reject(file,
+               fmt::format("is {} x {} texels with {} channels, expected at least one of each",
+                           spec.width, spec.height, spec.nchannels));
+    if (spec.width > kLargestSide || spec.height > kLargestSide)
+        reject(file, fmt::format("is {} x {} texels, expected at most {} per side", spec.width,
+                                 spec.height, kLargestSide));
+    const double bytes = 1.0 * spec.width * spec.height * spec.nchannels * sizeof(float);
+    if (bytes > kLargestImage)
+        reject(file, fmt::format("takes {:.0f} MiB when decoded ({} x {} texels, {} channels), "
+                                 "expected at most {:.0f} MiB",
+                                 bytes / kMebibyte, spec.width, spec.height, spec.nchannels,
+                                 kLargestImage / kMebibyte));
+    if (spec.full_width != spec.width || spec.full_height != spec.height)
+        reject(file, fmt::format("holds {} x {} texels of a picture of {} x {}, expected all of it",
+                                 spec.width, spec.height, spec.full_width, spec.full_height));
+}
+
+SampleType sampleTypeOf(const OIIO::TypeDesc& format) {
+    if (format == OIIO::TypeDesc::UINT8)
+        return SampleType::U8;
+    if (format == OIIO::TypeDesc::UINT16)
+        return SampleType::U16;
+    if (format == OIIO::TypeDesc::HALF)
+        return SampleType::Half;
+    return format == OIIO::TypeDesc::FLOAT ? SampleType::Float : SampleType::Other;
+}
+
+ImageInfo describe(const OIIO::ImageSpec& spec) {
+    ImageInfo info;
+    info.width = spec.width;
+    info.height = spec.height;
+    info.type = sampleTypeOf(spec.format);
+    info.channelNames = spec.channelnames;
+    info.channelNames.resize(static_cast<std::size_t>(spec.nchannels));
+    info.orientation = spec.get_int_attribute("Orientation", 1);
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs)
+        if (attribute.type() == OIIO::TypeDesc::STRING)
+            info.attributes[attribute.name().string()] = attribute.get_string();
+    return info;
+}
+
+}  // namespace
+
+struct ImageReader::Input {
+    std::unique_ptr<OIIO::ImageInput> image;
+
+    /// Integers are divided by `maximum` here, once and in double: OpenImageIO multiplies by a
+    /// rounded inverse.
+    template <class Sample>
+    bool read(int first, std::vector<Plane>& planes, OIIO::TypeDesc type, double maximum) const {
+        const std::size_t channels = planes.size();
+        const std::size_t texels = planes.front().texels.size();
+        std::vector<Sample> samples(channels * texels);
+        const int last = first + static_cast<int>(channels);
+        if (!image->read_image(0, 0, first, last, type, samples.data()))
+            return false;
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t t = 0; t < texels; ++t)
+                planes[c].texels[t] = static_cast<float>(samples[t * channels + c] / maximum);
+        return true;
+    }
+};
+
+ImageReader::ImageReader(std::filesystem::path file) : m_file(std::move(file)) {
+    checkRegularFile(m_file);
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    m_input = std::make_unique<Input>();
+    m_input->image = OIIO::ImageInput::open(m_file.string(), &hints);
+    if (!m_input->image)
+        reject(m_file,
+               fmt::format("is not an image that can be read{}, expected PNG, TIFF, EXR, JPEG "
+                           "or the like",
+                           openingFailure()));
+    const OIIO::ImageSpec& spec = m_input->image->spec();
+    checkShape(m_file, spec);
+    m_info = describe(spec);
+}
+
+ImageReader::~ImageReader() = default;
+
+std::vector<Plane> ImageReader::readChannels(int first, int count) {
+    assert(first >= 0 && count >= 1 &&
+           first + count <= static_cast<int>(m_info.channelNames.size()));
+    std::vector<Plane> planes(static_cast<std::size_t>(count), Plane(m_info.width, m_info.height));
+    bool good = false;
+    if (m_info.type == SampleType::U8)
+        good = m_input->read<std::uint8_t>(first, planes, OIIO::TypeDesc::UINT8, 255.0);
+    else if (m_info.type == SampleType::U16)
+        good = m_input->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
+    else
+        good = m_input->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
+    if (!good)
+        reject(m_file, fmt::format("is truncated or damaged ({}), expected a whole image",
+                                   reason(m_input->image->geterror())));
+    return planes;
+}
+
+}  // namespace relievo::textures

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "textures/plane.h"
+
+namespace relievo::textures {
+
+/// How an image file holds its numbers. Other covers what is read as float: double, wide integers.
+enum class SampleType { U8, U16, Half, Float, Other };
+
+/// What an image file says about itself, before its samples are read.
+struct ImageInfo {
+    int width = 0;
+    int height = 0;
+    SampleType type = SampleType::Other;
+    std::vector<std::string> channelNames;
+    std::map<std::string, std::string> attributes;  ///< the text attributes
+    int orientation = 1;                            ///< the Exif number; 1 is upright
+};
+
+/// An image file of any format that OpenImageIO reads, open for reading. Samples come as they are
+/// stored: no colour conversion, no multiplication by alpha.
+class ImageReader {
+  public:
+    /// Throws InputError for a file that is missing, no regular file, empty, truncated (PNG, JPEG),
+    /// no image, a deep or volume image, a crop, of zero size, wider or higher than 32768, or over
+    /// 1 GiB when decoded.
+    explicit ImageReader(std::filesystem::path file);
+    ~ImageReader();
+    ImageReader(const ImageReader&) = delete;
+    ImageReader& operator=(const ImageReader&) = delete;
+
+    [[nodiscard]] const ImageInfo& info() const noexcept { return m_info; }
+
+    /// The samples of `count` channels from `first` on, decoded in one pass; 8/16-bit integers as
+    /// code/maximum, rounded once. Throws InputError when the file is truncated or damaged.
+    [[nodiscard]] std::vector<Plane> readChannels(int first, int count);
+
+  private:
+    struct Input;
+
+    std::filesystem::path m_file;
+    std::unique_ptr<Input> m_input;
+    ImageInfo m_info;
+};
+
+}  // namespace relievo::textures

@@ -1,0 +1,229 @@
+#include "textures/map_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "textures/channel_rules.h"
+#include "textures/file_extension.h"
+#include "textures/image_reader.h"
+#include "textures/image_writer.h"
+#include "textures/input_error.h"
+#include "textures/map_metadata.h"
+#include "textures/packed_codes.h"
+
+namespace relievo::textures {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kThesisChannels{"dx", "dy", "cone", "depth"};
+/// The one text field that TIFF keeps: it holds the attributes as a JSON object.
+constexpr const char* kDescription = "ImageDescription";
+
+void checkChannels(const MapSet& maps) {
+    std::set<std::string_view> names;
+    if (maps.width() < 1 || maps.height() < 1)
+        throw std::invalid_argument("a map file needs at least one channel of at least one texel");
+    for (const Channel& channel : maps.channels) {
+        if (channel.plane.width != maps.width() || channel.plane.height != maps.height())
+            throw std::invalid_argument("the channels of a map file must be of one size");
+        const bool isWord = channel.name.find_first_of(" \t\n=") == std::string::npos;
+        if (channel.name.empty() || channel.name == kUnusedChannel || !isWord ||
+            !names.insert(channel.name).second)
+            throw std::invalid_argument("'" + channel.name +
+                                        "' cannot name a channel, or names two");
+    }
+}
+
+/// Ratios may be infinite (stored as the widest), nothing may be NaN, and halves end at 65504.
+void checkStorable(const std::filesystem::path& file, const Channel& channel,
+                   StorageFormat format) {
+    const bool mayBeInfinite = channelRule(channel.name).rounding == Rounding::Down;
+    const float largest =
+        format == StorageFormat::Half ? kLargestHalf : std::numeric_limits<float>::max();
+    for (const float value : channel.plane.texels)
+        if (std::isnan(value) || (std::abs(value) > largest && !(mayBeInfinite && value > 0.0f)))
+            throw InputError(fmt::format("{}: channel '{}' has the value {}, which {} cannot hold",
+                                         file.string(), channel.name, value,
+                                         storageFormatName(format)));
+}
+
+/// Which channel lies where in a packed file. Grey and RGB(A) only: two channels would be read as
+/// grey and alpha.
+std::vector<std::string> packedLayout(const std::filesystem::path& file, const MapSet& maps) {
+    const bool isThesisForm =
+        std::all_of(maps.channels.begin(), maps.channels.end(), [](const Channel& channel) {
+            return std::find(kThesisChannels.begin(), kThesisChannels.end(), channel.name) !=
+                   kThesisChannels.end();
+        });
+    std::vector<std::string> layout;
+    if (isThesisForm && maps.channels.size() > 1) {
+        for (const std::string_view name : kThesisChannels)
+            layout.emplace_back(maps.find(name) != nullptr ? name : kUnusedChannel);
+        if (layout.back() == kUnusedChannel)
+            layout.pop_back();
+    } else {
+        for (const Channel& channel : maps.channels)
+            layout.push_back(channel.name);
+        if (layout.size() == 2)
+            layout.emplace_back(kUnusedChannel);
+    }
+    if (layout.size() > 4)
+        throw InputError(fmt::format(
+            "{}: a packed file cannot hold {} channels, expected at most 4 (or an .exr file)",
+            file.string(), layout.size()));
+    return layout;
+}
+
+ImageContent packedContent(const std::filesystem::path& file, const MapSet& maps,
+                           StorageFormat format) {
+    const std::vector<std::string> layout = packedLayout(file, maps);
+    ImageContent content;
+    content.format = format;
+    ChannelRanges ranges;
+    for (const std::string& name : layout) {
+        const Plane* values = maps.find(name);
+        if (values == nullptr) {
+            content.planes.emplace_back(maps.width(), maps.height());
+            continue;
+        }
+        ranges[name] = packedRange(*values, name, format);
+        content.planes.push_back(packedCodes(*values, name, ranges[name], format));
+    }
+    content.attributes = describeMaps(maps, layout, ranges);
+    if (lowerExtension(file) != ".png")
+        content.attributes = {{kDescription, nlohmann::json(content.attributes).dump()}};
+    return content;
+}
+
+ImageContent exrContent(const MapSet& maps, StorageFormat format) {
+    ImageContent content;
+    content.format = format;
+    for (const Channel& channel : maps.channels) {
+        content.channelNames.push_back(channel.name);
+        content.planes.push_back(storedValues(channel.plane, channel.name, format));
+    }
+    content.attributes = describeMaps(maps, content.channelNames, {});
+    return content;
+}
+
+TextAttributes attributesOf(const ImageInfo& info) {
+    TextAttributes attributes = info.attributes;
+    if (const auto description = attributes.find(kDescription); description != attributes.end()) {
+        const auto json = nlohmann::json::parse(description->second, nullptr, false);
+        if (json.is_object())
+            for (const auto& [name, value] : json.items())
+                if (value.is_string())
+                    attributes[name] = value.get<std::string>();
+    }
+    return attributes;
+}
+
+StorageFormat formatOf(const ImageInfo& info, const std::string& file) {
+    switch (info.type) {
+        case SampleType::U8:
+            return StorageFormat::U8;
+        case SampleType::U16:
+            return StorageFormat::U16;
+        case SampleType::Half:
+            return StorageFormat::Half;
+        case SampleType::Float:
+            return StorageFormat::Float;
+        case SampleType::Other:
+            break;
+    }
+    throw InputError(file +
+                     ": has a number format that map files do not use, expected 8 or 16-bit "
+                     "integers, half or float");
+}
+
+void checkValues(const Channel& channel, const std::string& file) {
+    const ChannelRule rule = channelRule(channel.name);
+    const float low = rule.isSigned ? std::numeric_limits<float>::lowest() : 0.0f;
+    const float high = rule.isUnitRange ? 1.0f : std::numeric_limits<float>::max();
+    const auto bad = std::find_if(channel.plane.texels.begin(), channel.plane.texels.end(),
+                                  [&](float value) { return !(value >= low && value <= high); });
+    if (bad != channel.plane.texels.end())
+        throw InputError(fmt::format(
+            "{}: its channel '{}' has the value {}, expected {}", file, channel.name, *bad,
+            rule.isUnitRange ? "0 to 1"
+                             : (rule.isSigned ? "finite values" : "finite values from 0")));
+}
+
+/// The plane of the stored channel `position`, decoded.
+Plane unpack(Plane stored, const std::string& name, const ChannelRanges& ranges,
+             StorageFormat format, const std::string& file) {
+    const auto range = ranges.find(name);
+    if (range == ranges.end())
+        throw InputError(
+            fmt::format("{}: its attribute 'relievo:scale' lacks the channel '{}'", file, name));
+    for (float& value : stored.texels)
+        value = static_cast<float>(std::nearbyint(value * maximumCode(format)));
+    return packedValues(stored, range->second, format);
+}
+
+void unpackChannels(std::vector<Plane> planes, const std::vector<std::string>& layout,
+                    const ChannelRanges& ranges, StorageFormat format, const std::string& file,
+                    MapSet& maps) {
+    if (planes.size() != layout.size())
+        throw InputError(fmt::format("{}: has {} channels, expected the {} of 'relievo:channels'",
+                                     file, planes.size(), layout.size()));
+    for (std::size_t c = 0; c < layout.size(); ++c)
+        if (layout[c] != kUnusedChannel)
+            maps.channels.push_back(
+                {layout[c], unpack(std::move(planes[c]), layout[c], ranges, format, file)});
+}
+
+/// EXR channels come in an order of the library's choice: they are found by name.
+void takeNamedChannels(std::vector<Plane> planes, const std::vector<std::string>& stored,
+                       const std::vector<std::string>& layout, const std::string& file,
+                       MapSet& maps) {
+    for (const std::string& name : layout) {
+        const auto found = std::find(stored.begin(), stored.end(), name);
+        if (found == stored.end())
+            throw InputError(fmt::format(
+                "{}: lacks the channel '{}', which 'relievo:channels' names", file, name));
+        maps.channels.push_back(
+            {name, std::move(planes[static_cast<std::size_t>(found - stored.begin())])});
+    }
+}
+
+}  // namespace
+
+void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format) {
+    checkChannels(maps);
+    requireExtensionFor(file, format);
+    for (const Channel& channel : maps.channels)
+        checkStorable(file, channel, format);
+    writeImage(file, isPackedFormat(format) ? packedContent(file, maps, format)
+                                            : exrContent(maps, format));
+}
+
+MapSet readMapFile(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    ImageReader reader(file);
+    const ImageInfo& info = reader.info();
+    const TextAttributes attributes = attributesOf(info);
+    MapSet maps = mapsFromAttributes(attributes, name);
+    const std::vector<std::string> layout = layoutFromAttributes(attributes, name);
+    const StorageFormat format = formatOf(info, name);
+    std::vector<Plane> planes = reader.readChannels(0, static_cast<int>(info.channelNames.size()));
+    if (isPackedFormat(format))
+        unpackChannels(std::move(planes), layout, rangesFromAttributes(attributes, name), format,
+                       name, maps);
+    else
+        takeNamedChannels(std::move(planes), info.channelNames, layout, name, maps);
+    for (const Channel& channel : maps.channels)
+        checkValues(channel, name);
+    return maps;
+}
+
+}  // namespace relievo::textures

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace relievo::textures {
+
+/// Whether `file` is a PNG or JPEG file that ends before its end marker: the JPEG reader fills what
+/// is missing with grey without an error, and the PNG one prints lines of its own. False for other
+/// formats, whose readers fail properly, and for files that cannot be read.
+bool isTruncatedImage(const std::filesystem::path& file);
+
+}  // namespace relievo::textures
