@@ -103,15 +103,17 @@ Shader compile(const ShaderText& source) {
     Shader shader(glCreateShader(source.stage));
     if (shader.id() == 0)
         throw GlError(fmt::format("there is no shader stage {:#06x}", source.stage));
-    const GLchar* text = source.text.data();
-    const auto length = static_cast<GLint>(source.text.size());
+    const TracedText traced = traceLines(source.text);
+    const GLchar* text = traced.text.data();
+    const auto length = static_cast<GLint>(traced.text.size());
     glShaderSource(shader.id(), 1, &text, &length);
     glCompileShader(shader.id());
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE)
-        throw GlError(fmt::format("the {} shader does not compile:\n{}", stageName(source.stage),
-                                  locateMessages(shaderLog(shader.id()), source.files)));
+        throw GlError(
+            fmt::format("the {} shader does not compile:\n{}", stageName(source.stage),
+                        locateMessages(shaderLog(shader.id()), traced.lines, source.files)));
     return shader;
 }
 

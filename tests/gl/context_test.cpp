@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <thread>
 #include <vector>
 
 #include "full_screen_pass.h"
@@ -78,6 +79,21 @@ TEST(Context, BackEndsAliveTogetherDoNotMix) {
             EXPECT_EQ(renderPattern(), expected);
         }
     }
+}
+
+TEST(Context, ThreadsWithContextsOfTheirOwnDrawTheSame) {
+    std::array<std::vector<float>, 4> pixels;
+    {
+        std::vector<std::jthread> threads;
+        for (std::vector<float>& result : pixels)
+            threads.emplace_back([&result] {
+                const auto context = createContext(Backend::OSMesa);
+                result = renderPattern();
+            });
+    }
+    EXPECT_FALSE(pixels[0].empty());
+    for (const std::vector<float>& result : pixels)
+        EXPECT_EQ(result, pixels[0]);
 }
 
 TEST(Context, OneThatIsDestroyedLeavesTheCurrentOneAlone) {
