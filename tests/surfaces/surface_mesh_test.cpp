@@ -1,0 +1,67 @@
+#include "surfaces/surface_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+
+namespace relievo::surfaces {
+namespace {
+
+// For every triangle: uv and positions must agree with the tangent frame, the winding with the
+// normal. True only of correct meshes with flat faces.
+bool framesAgree(const SurfaceMesh& mesh) {
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+        const std::array<const SurfaceVertex*, 3> corner = {&mesh.vertices[mesh.indices[k]],
+                                                            &mesh.vertices[mesh.indices[k + 1]],
+                                                            &mesh.vertices[mesh.indices[k + 2]]};
+        const SurfaceVertex& first = *corner[0];
+        for (std::size_t c = 1; c < 3; ++c) {
+            const glm::vec2 uv = corner[c]->uv - first.uv;
+            const glm::vec3 edge = corner[c]->position - first.position;
+            if (glm::length(uv.x * first.tangent + uv.y * first.bitangent - edge) > 1e-6f)
+                return false;
+        }
+        const glm::vec3 winding =
+            glm::cross(corner[1]->position - first.position, corner[2]->position - first.position);
+        if (glm::length(glm::normalize(winding) - first.normal) > 1e-6f)
+            return false;
+    }
+    return !mesh.indices.empty();
+}
+
+TEST(SurfaceMesh, TangentFramesAgreeWithPositionsAndUv) {
+    EXPECT_TRUE(framesAgree(makeQuad({1, 1}, 1.0f)));
+    EXPECT_TRUE(framesAgree(makeQuad({3, 2}, 0.5f)));
+    EXPECT_TRUE(framesAgree(makeBox({1, 1})));
+    EXPECT_TRUE(framesAgree(makeBox({2, 5})));
+}
+
+TEST(SurfaceMesh, TheCheckCatchesAFlippedBitangent) {
+    SurfaceMesh mesh = makeBox({1, 1});
+    mesh.vertices[5].bitangent *= -1.0f;
+    mesh.vertices[4].bitangent *= -1.0f;
+    EXPECT_FALSE(framesAgree(mesh));
+}
+
+TEST(SurfaceMesh, QuadKeepsTexelsSquare) {
+    // A map half as high as wide, 3 × 2 times: a tile is 1/3 wide, so 1/6 high.
+    const SurfaceMesh mesh = makeQuad({3, 2}, 0.5f);
+    EXPECT_NEAR(glm::length(mesh.vertices[0].tangent), 1.0f / 3, 1e-6f);
+    EXPECT_NEAR(glm::length(mesh.vertices[0].bitangent), 1.0f / 6, 1e-6f);
+    EXPECT_EQ(mesh.windowMaximum, glm::vec2(3, 2));
+}
+
+TEST(SurfaceMesh, TopLeftOfThePictureIsAtTheFarLeft) {
+    const SurfaceMesh mesh = makeQuad({1, 1}, 1.0f);
+    EXPECT_EQ(mesh.vertices[0].uv, glm::vec2(0, 0));
+    EXPECT_EQ(mesh.vertices[0].position, glm::vec3(-0.5f, 0.5f, 0));
+}
+
+TEST(SurfaceMesh, BoxFacesPointOutwards) {
+    for (const SurfaceVertex& vertex : makeBox({1, 1}).vertices)
+        EXPECT_NEAR(glm::dot(vertex.position, vertex.normal), 0.5f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace relievo::surfaces
