@@ -52,13 +52,17 @@ endfunction()
 add_custom_target(cpu_tests)
 
 # relievo_add_tests(NAME SOURCES … [LINKS …] [LABELS …] [TIMEOUT s] [ENVIRONMENT …])
-# One GoogleTest program. The label `cpu` (no OpenGL in it) makes it part of the sanitizer run.
+# One GoogleTest program, a ctest test of the room's name. Its label is `cpu`, which makes it part of
+# the sanitizer run, unless LABELS says otherwise: `gl` for tests that render.
 function(relievo_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 TESTS "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT")
   set(target relievo_${name}_tests)
   add_executable(${target} ${TESTS_SOURCES})
   target_link_libraries(${target} PRIVATE ${TESTS_LINKS} GTest::gtest GTest::gtest_main GTest::gmock)
   relievo_compile_options(${target})
+  if(NOT TESTS_LABELS)
+    set(TESTS_LABELS cpu)
+  endif()
   if("cpu" IN_LIST TESTS_LABELS)
     add_dependencies(cpu_tests ${target})
   endif()
