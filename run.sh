@@ -10,7 +10,7 @@ build release relievo-bake relievo-view
 
 bin=build/release/bin
 mkdir -p out
-step "$bin/relievo-bake" relief textures/samples/cobbles-height.png -o out/cobbles.exr --force
+step "$bin/relievo-bake" relief textures/samples/cobbles-height.png -o out/cobbles.exr
 step "$bin/relievo-view" out/cobbles.exr --albedo textures/samples/cobbles-albedo.png \
     --compare normal,linear,relief,cone,exact --headless -o out/compare.png --error out/error.exr
 

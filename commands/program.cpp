@@ -9,13 +9,7 @@
 #include <cstdio>
 #include <new>
 
-#if __has_include("textures/atomic_file.h")
 #include "textures/atomic_file.h"
-#else  // until the room textures writes files
-namespace relievo::textures {
-inline void removeTemporaryFiles() noexcept {}
-}  // namespace relievo::textures
-#endif
 #include "textures/version.h"
 
 namespace relievo::commands {

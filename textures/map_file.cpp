@@ -207,6 +207,13 @@ void writeMapFile(const std::filesystem::path& file, const MapSet& maps, Storage
                                             : exrContent(maps, format));
 }
 
+bool isMapFile(const std::filesystem::path& file) {
+    const TextAttributes attributes = attributesOf(ImageReader(file).info());
+    return std::any_of(attributes.begin(), attributes.end(), [](const auto& attribute) {
+        return attribute.first.starts_with("relievo:");
+    });
+}
+
 MapSet readMapFile(const std::filesystem::path& file) {
     const std::string name = file.string();
     ImageReader reader(file);

@@ -16,6 +16,10 @@ namespace relievo::textures {
 /// (not finite), or when writing fails. The same maps give the same bytes.
 void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format);
 
+/// Whether the image `file` says that it is a map file: it has an attribute called `relievo:…`.
+/// Throws InputError for what is no image.
+bool isMapFile(const std::filesystem::path& file);
+
 /// Reads a map file written by writeMapFile. Throws InputError that names the missing or senseless
 /// attribute or channel.
 MapSet readMapFile(const std::filesystem::path& file);

@@ -1,0 +1,48 @@
+#include "preprocess/cone_encoding.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "preprocess/round_down.h"
+
+namespace relievo::preprocess {
+namespace {
+
+constexpr float kUnlimited = std::numeric_limits<float>::infinity();
+
+float radiusOf(float ratio, float depth) {
+    if (std::isinf(ratio))
+        return kUnlimited;  // also over depth 0, where the product is not a number
+    return roundDown(belowRounding(static_cast<double>(ratio) * depth));
+}
+
+float ratioOf(float radius, float depth) {
+    if (depth == 0.0f || std::isinf(radius))
+        return kUnlimited;
+    return roundDown(belowRounding(static_cast<double>(radius) / depth));
+}
+
+textures::Plane transformed(const textures::Plane& cone, const textures::Plane& depth,
+                            float (*function)(float, float)) {
+    assert(cone.width == depth.width && cone.height == depth.height);
+    textures::Plane result(cone.width, cone.height);
+    std::transform(cone.texels.begin(), cone.texels.end(), depth.texels.begin(),
+                   result.texels.begin(), function);
+    return result;
+}
+
+}  // namespace
+
+textures::Plane encodeCones(const textures::Plane& ratio, const textures::Plane& depth,
+                            textures::ConeEncoding encoding) {
+    return encoding == textures::ConeEncoding::Ratio ? ratio : transformed(ratio, depth, radiusOf);
+}
+
+textures::Plane decodeCones(const textures::Plane& cone, const textures::Plane& depth,
+                            textures::ConeEncoding encoding) {
+    return encoding == textures::ConeEncoding::Ratio ? cone : transformed(cone, depth, ratioOf);
+}
+
+}  // namespace relievo::preprocess

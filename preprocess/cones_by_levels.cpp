@@ -1,0 +1,80 @@
+#include "preprocess/cones_by_levels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "preprocess/distance_transform.h"
+#include "preprocess/round_down.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::Plane;
+
+// The least depth of each class of depths, ascending.
+std::vector<float> leastDepths(const Plane& depth, int levels) {
+    assert(levels >= 1);
+    std::vector<float> depths = depth.texels;
+    std::sort(depths.begin(), depths.end());
+    depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+    if (depths.size() <= static_cast<std::size_t>(levels))
+        return depths;
+    const double first = depths.front();
+    const double step = (depths.back() - first) / levels;
+    const auto classOf = [&](float value) {
+        return std::min(static_cast<int>((value - first) / step), levels - 1);
+    };
+    const auto last = std::unique(depths.begin(), depths.end(),
+                                  [&](float a, float b) { return classOf(a) == classOf(b); });
+    depths.erase(last, depths.end());
+    return depths;
+}
+
+// Takes the minimum with the bound by one class: its texels and the higher ones are those less deep
+// than `end`, all at least `least` deep.
+void narrowByClass(const textures::DepthMap& map, float least, float end, Plane& ratio) {
+    const std::vector<float>& depths = map.depth.texels;
+    std::vector<std::uint8_t> set(depths.size());
+    std::transform(depths.begin(), depths.end(), set.begin(),
+                   [end](float depth) { return depth < end ? std::uint8_t{1} : std::uint8_t{0}; });
+    const SquaredDistances distances = distancesTo(set, map.width(), map.height(), map.wrap);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, depths.size()),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                if (depths[k] <= least)
+                    continue;
+                // A texel is in its own class; the nearest other one is a texel away or more.
+                const auto squared =
+                    static_cast<double>(std::max<std::int64_t>(distances.texels[k], 1));
+                const double difference = static_cast<double>(depths[k]) - least;
+                const double bound = std::sqrt(squared) / map.width() / difference;
+                ratio.texels[k] = std::min(ratio.texels[k], roundDown(belowRounding(bound)));
+            }
+        });
+}
+
+}  // namespace
+
+Plane buildConesByLevels(const textures::DepthMap& map, int levels,
+                         const std::function<void(std::size_t)>& advance) {
+    const float unlimited = std::numeric_limits<float>::infinity();
+    const std::vector<float> least = leastDepths(map.depth, levels);
+    Plane ratio(map.width(), map.height(), unlimited);
+    const std::size_t texels = ratio.texels.size();
+    for (std::size_t k = 0; k < least.size(); ++k) {
+        narrowByClass(map, least[k], k + 1 < least.size() ? least[k + 1] : unlimited, ratio);
+        if (advance)
+            advance(texels * (k + 1) / least.size() - texels * k / least.size());
+    }
+    return ratio;
+}
+
+}  // namespace relievo::preprocess

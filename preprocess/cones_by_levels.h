@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "textures/depth_map.h"
+#include "textures/plane.h"
+
+namespace relievo::preprocess {
+
+/// Conservative cones by the thesis' linear method (HDDT, algorithm 3.5, with erratum E4: ratios
+/// start unlimited and only shrink): one exact distance transform for each depth level, so
+/// O(texels · levels). A baseline for buildConservativeCones.
+///
+/// The depths of the map are grouped into at most `levels` ≥ 1 classes: one for each distinct depth
+/// when there are so few, as in 8-bit maps, else equal steps. For a class with least depth l,
+///
+///   c(t) ≤ distance({D in this class or a higher one}) / (D(t) − l)
+///
+/// with the distance at least one texel where t is in the class itself. With a class for each depth
+/// the result is exact; otherwise it is narrower, never wider, than the exact cone.
+///
+/// Units, rounding and unlimited cones are those of buildConservativeCones. `advance`, when given,
+/// is called with numbers of texels that add up to those of the map.
+textures::Plane buildConesByLevels(const textures::DepthMap& map, int levels = 256,
+                                   const std::function<void(std::size_t)>& advance = {});
+
+}  // namespace relievo::preprocess

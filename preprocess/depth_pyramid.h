@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "textures/plane.h"
+
+namespace relievo::preprocess {
+
+/// Least depths over ever larger squares. levels[0] is the map itself; texel (i,j) of levels[k] is
+/// the least depth of the texels [i·2ᵏ, (i+1)·2ᵏ) × [j·2ᵏ, (j+1)·2ᵏ) that the map has; the last
+/// level is 1×1. Sizes halve rounding up, so any map size works.
+struct DepthPyramid {
+    std::vector<textures::Plane> levels;
+};
+
+/// The pyramid of a map of at least one texel. It takes 4/3 of the map's memory.
+DepthPyramid buildDepthPyramid(const textures::Plane& depth);
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace relievo::preprocess {
+
+/// The command line of `relievo-bake relief`, as words; an empty format means the extension's.
+struct ReliefArguments {
+    std::string height;
+    std::string output;
+    std::string maps = "depth,derivative,cone";
+    std::string cone = "conservative";
+    std::string guarantee = "texel";
+    std::string method = "exact";
+    std::string wrap = "repeat";
+    std::string input = "height";
+    std::string channel;
+    std::string encoding = "radius";
+    std::string format;
+    double normalScale = 0.1;
+    int threads = 0;  ///< 0: all cores
+};
+
+/// Adds the subcommand `relief`, which fills `arguments`.
+CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments);
+
+/// Bakes the maps of a height image into a map file. Prints each stage with its counts and time.
+/// Throws UsageError for arguments that do not go together, before any work, and InputError.
+void runReliefCommand(const ReliefArguments& arguments);
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,28 @@
+// relievo-bake: from height images to the maps that shaders search.
+#include "commands/program.h"
+#include "preprocess/info_command.h"
+#include "preprocess/relief_command.h"
+#include "preprocess/sample_command.h"
+
+int main(int argc, char** argv) {
+    using namespace relievo;
+    CLI::App app("Bakes height images into the maps of relief mapping.", "relievo-bake");
+    app.require_subcommand(1);
+    app.footer(
+        "relievo-bake COMMAND --help says more about one.\nExample:\n"
+        "  relievo-bake relief bricks.png -o bricks.exr");
+    preprocess::ReliefArguments reliefArguments;
+    preprocess::InfoArguments infoArguments;
+    preprocess::SampleArguments sampleArguments;
+    const CLI::App* relief = preprocess::addReliefCommand(app, reliefArguments);
+    const CLI::App* info = preprocess::addInfoCommand(app, infoArguments);
+    preprocess::addSampleCommand(app, sampleArguments);
+    return commands::runProgram(app, argc, argv, [&] {
+        if (relief->parsed())
+            preprocess::runReliefCommand(reliefArguments);
+        else if (info->parsed())
+            preprocess::runInfoCommand(infoArguments);
+        else
+            preprocess::runSampleCommand(sampleArguments);
+    });
+}
