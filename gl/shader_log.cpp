@@ -2,54 +2,117 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 namespace relievo::gl {
 namespace {
 
-/// The number, or the largest int for one that is too large: no line or file has it.
-int numberOf(const std::string& digits) {
-    int number = std::numeric_limits<int>::max();
-    std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return number;
+/// What is still to be read of a line.
+struct Cursor {
+    std::string_view rest;
+
+    bool skip(std::string_view word) {
+        if (!rest.starts_with(word))
+            return false;
+        rest.remove_prefix(word.size());
+        return true;
+    }
+
+    bool skipBlanks() {
+        const std::size_t count = std::min(rest.find_first_not_of(" \t\r"), rest.size());
+        rest.remove_prefix(count);
+        return count > 0;
+    }
+
+    /// A number without a sign; the largest int for one that is too large, which no line or file
+    /// has.
+    std::optional<int> number() {
+        const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
+        if (count == 0)
+            return std::nullopt;
+        int value = std::numeric_limits<int>::max();
+        std::from_chars(rest.data(), rest.data() + count, value);
+        rest.remove_prefix(count);
+        return value;
+    }
+};
+
+/// What `#line` says of the line after it: its number, and its source if that is named.
+struct LineDirective {
+    int line;
+    std::optional<int> source;
+};
+
+std::optional<LineDirective> parseLineDirective(std::string_view text) {
+    Cursor cursor{text};
+    cursor.skipBlanks();
+    if (!cursor.skip("#"))
+        return std::nullopt;
+    cursor.skipBlanks();
+    if (!cursor.skip("line") || !cursor.skipBlanks())
+        return std::nullopt;
+    const std::optional<int> line = cursor.number();
+    cursor.skipBlanks();
+    const std::optional<int> source = cursor.number();
+    cursor.skipBlanks();
+    if (!line || !(cursor.rest.empty() || cursor.rest.starts_with("//")))
+        return std::nullopt;
+    return LineDirective{*line, source};
 }
 
-std::string locateMessage(const std::string& message, const std::vector<SourceLine>& lines,
+/// The line that a message is on, after its source: `:line(column):`, `:line:` or `(line) :`.
+std::optional<int> parsePlace(Cursor& cursor) {
+    std::optional<int> line;
+    if (cursor.skip(":")) {
+        line = cursor.number();
+        if (cursor.skip("(") && !(cursor.number() && cursor.skip(")")))
+            return std::nullopt;
+    } else if (cursor.skip("(")) {
+        line = cursor.number();
+        if (!cursor.skip(")"))
+            return std::nullopt;
+    }
+    cursor.skipBlanks();
+    return cursor.skip(":") ? line : std::nullopt;
+}
+
+std::string locateMessage(std::string_view message, const std::vector<SourceLine>& lines,
                           const std::vector<std::string>& files) {
-    // 1: "ERROR: " and the like; 2 or 3: line; 4: text.
-    static const std::regex form(
-        R"(^((?:ERROR|WARNING): )?0(?::(\d+)(?:\(\d+\))?|\((\d+)\)) ?: ?(.*)$)");
-    std::smatch match;
-    if (!std::regex_match(message, match, form))
-        return message;
-    const int line = numberOf(match[2].str() + match[3].str());
-    if (line < 1 || static_cast<std::size_t>(line) > lines.size())
-        return message;
-    const SourceLine& source = lines[line - 1];
+    Cursor cursor{message};
+    std::string_view severity;
+    for (const std::string_view word : {"ERROR: ", "WARNING: "})
+        if (cursor.skip(word))
+            severity = word;
+    // The text is given to the driver as one string, whose number is 0.
+    if (cursor.number() != 0)
+        return std::string(message);
+    const std::optional<int> line = parsePlace(cursor);
+    if (!line || *line < 1 || static_cast<std::size_t>(*line) > lines.size())
+        return std::string(message);
+    const SourceLine& source = lines[*line - 1];
     if (source.file >= files.size())
-        return message;
-    return fmt::format("{}:{}: {}{}", files[source.file], source.line, match[1].str(),
-                       match[4].str());
+        return std::string(message);
+    cursor.skipBlanks();
+    return fmt::format("{}:{}: {}{}", files[source.file], source.line, severity, cursor.rest);
 }
 
 }  // namespace
 
 TracedText traceLines(std::string_view text) {
-    static const std::regex directive(R"(^\s*#\s*line\s+(\d+)(?:\s+(\d+))?\s*(?://.*)?$)");
     TracedText traced;
     SourceLine next;
     std::istringstream lines{std::string(text)};
     for (std::string line; std::getline(lines, line);) {
         traced.lines.push_back(next);
         ++next.line;
-        std::smatch match;
-        if (std::regex_match(line, match, directive)) {
-            next.line = numberOf(match[1]);
-            if (match[2].matched)
-                next.file = static_cast<std::size_t>(numberOf(match[2]));
+        if (const auto directive = parseLineDirective(line)) {
+            next.line = directive->line;
+            if (directive->source)
+                next.file = static_cast<std::size_t>(*directive->source);
             line.clear();
         }
         traced.text += line;

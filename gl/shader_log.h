@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,7 @@ namespace relievo::gl {
 /// A line of a source file: files[file], counted from 1.
 struct SourceLine {
     std::size_t file = 0;
-    int line = 1;
+    std::int64_t line = 1;
 
     friend bool operator==(const SourceLine&, const SourceLine&) = default;
 };

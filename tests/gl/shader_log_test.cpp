@@ -39,7 +39,7 @@ TEST(ShaderLog, KeepsWhatItCannotPlace) {
          {"error: main() is missing", "1:1(5): error: not the source that was given",
           "0:6(1): error: file 2 is not listed", "0:7(1): error: no such line",
           "0:0(1): error: no line", "0:99999999999999999999999(1): error: no such line",
-          "12 errors", "0:x(5): error"})
+          "12 errors", "0:x(5): error", "0:2(x): error", "0:2 error", "0(2: error", "0"})
         EXPECT_EQ(locate(text), text);
     EXPECT_EQ(locateMessages("0:1(5): error: x", kLines, {}), "0:1(5): error: x");
 }
@@ -52,8 +52,10 @@ TEST(ShaderLog, TracesLinesThroughDirectives) {
                                           SourceLine{1, 2}, SourceLine{1, 3}, SourceLine{0, 3},
                                           SourceLine{0, 4}, SourceLine{0, 9}, SourceLine{0, 10}));
     EXPECT_EQ(traceLines("").lines.size(), 1u);
+    EXPECT_EQ(traceLines("#line 99999999999 99999999999\na\nb").lines.size(), 4u);
     // Not directives: in a comment, or of another name.
-    EXPECT_EQ(traceLines("// #line 5 1\n#lines 5\n").text, "// #line 5 1\n#lines 5\n");
+    for (const char* text : {"// #line 5 1\n", "#lines 5\n", "#line\n", "#line x\n", "#line5\n"})
+        EXPECT_EQ(traceLines(text).text, text);
 }
 
 }  // namespace
