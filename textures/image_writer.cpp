@@ -10,6 +10,7 @@
 #include <span>
 
 #include "textures/atomic_file.h"
+#include "textures/file_extension.h"
 #include "textures/input_error.h"
 
 namespace relievo::textures {
@@ -33,7 +34,7 @@ OIIO::TypeDesc sampleType(StorageFormat format) {
     return OIIO::TypeDesc::UINT8;
 }
 
-OIIO::ImageSpec specOf(const ImageContent& content) {
+OIIO::ImageSpec specOf(const ImageContent& content, bool isPng) {
     const Plane& plane = content.planes.front();
     OIIO::ImageSpec spec(plane.width, plane.height, static_cast<int>(content.planes.size()),
                          sampleType(content.format));
@@ -45,7 +46,10 @@ OIIO::ImageSpec specOf(const ImageContent& content) {
         spec.attribute(name, value);
     spec.attribute("DateTime", kFixedDate);
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("oiio:ColorSpace", content.isColour ? "sRGB" : "Linear");
+    // Without this PNG data would read back as colours. (TIFF needs none, and a TIFF file that is
+    // encoded in memory with sRGB comes out damaged.)
+    if (isPng)
+        spec.attribute("oiio:ColorSpace", content.isColour ? "sRGB" : "Linear");
     return spec;
 }
 
@@ -80,7 +84,8 @@ std::vector<unsigned char> encode(const std::filesystem::path& file, const Image
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::unique_ptr<OIIO::ImageOutput> output =
         OIIO::ImageOutput::create(file.string(), &memory);
-    const bool good = output && output->open(file.string(), specOf(content)) &&
+    const bool isPng = lowerExtension(file) == ".png";
+    const bool good = output && output->open(file.string(), specOf(content, isPng)) &&
                       writeSamples(*output, content) && output->close();
     if (!good)
         throw InputError(fmt::format("{}: cannot be encoded: {}", file.string(),
