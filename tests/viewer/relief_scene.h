@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "gl/context.h"
+#include "reference/error_metrics.h"
+#include "textures/map_set.h"
+#include "viewer/scene_renderer.h"
+
+namespace relievo::viewer {
+
+/// All maps of a relief, built in memory.
+textures::MapSet bakeMaps(const textures::DepthMap& map,
+                          textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
+
+/// A relief on one quad tile under parallel rays, without a window: what most image tests look at.
+/// Needs a current context.
+struct RayScene {
+    SceneRenderer renderer;
+    View view;
+
+    RayScene(const textures::MapSet& maps, float azimuth, float elevation, float depthScale = 0.1f);
+
+    /// Errors of `technique` over a frame of size², a first hit being wrong when it is off by more
+    /// than a texel. Parameters take their defaults, or those of `material`.
+    reference::ErrorStatistics errors(const materials::Technique& technique, int size);
+    reference::ErrorStatistics errors(materials::ReliefMaterial& material, int size);
+};
+
+/// An OSMesa context whose driver errors are exceptions.
+std::unique_ptr<gl::Context> makeTestContext();
+
+/// A framebuffer for a shaded picture.
+gl::Framebuffer makeColorTarget(int width, int height);
+
+}  // namespace relievo::viewer
