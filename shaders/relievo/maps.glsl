@@ -10,6 +10,32 @@ float reliefDepth(vec2 uv) {
     return textureLod(relievoDepthMap, uv, 0.0).r;
 }
 
+// The bilinear cell that holds a point: the patch between four texel centres.
+struct ReliefCell {
+    vec2 gather;    // uv of the corner that its four texels share: where textureGather takes them all,
+                    // whatever the precision of the texture unit
+    vec2 fraction;  // position between the four centres, in [0,1)²
+};
+
+ReliefCell reliefCell(vec2 uv) {
+    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+    vec2 position = uv * size - 0.5;
+    vec2 corner = floor(position);
+    return ReliefCell((corner + 1.0) / size, position - corner);
+}
+
+// Depths at the corners of a cell, in the order of textureGather: (0,1), (1,1), (1,0), (0,0).
+vec4 reliefCornerDepths(ReliefCell cell) {
+    ++reliefFetchCount;
+    return textureGather(relievoDepthMap, cell.gather);
+}
+
+// The bilinear interpolation of four corners, in the order of textureGather, in full precision.
+float reliefInterpolate(ReliefCell cell, vec4 corners) {
+    vec2 column = mix(corners.wx, corners.zy, cell.fraction.x);
+    return mix(column.x, column.y, cell.fraction.y);
+}
+
 // ρ = height/width of the map.
 float reliefAspect() {
     ivec2 size = textureSize(relievoDepthMap, 0);

@@ -76,8 +76,8 @@ TEST_P(Pictures, FineSearchLooksLikeTheReference) {
 INSTANTIATE_TEST_SUITE_P(WrapModes, Pictures,
                          testing::Values(textures::WrapMode::Repeat, textures::WrapMode::Mirror,
                                          textures::WrapMode::Clamp),
-                         [](const auto& info) {
-                             return std::string(textures::wrapModeName(info.param));
+                         [](const auto& test) {
+                             return std::string(textures::wrapModeName(test.param));
                          });
 
 // One step of cone tracing leads nowhere near the surface: such pixels are holes, or magenta.

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, TechniqueErrors, testing::ValuesIn([] {
                                  samples.push_back(&sample);
                              return samples;
                          }()),
-                         [](const auto& info) { return std::string(info.param->name); });
+                         [](const auto& test) { return std::string(test.param->name); });
 
 }  // namespace
 }  // namespace relievo::viewer
