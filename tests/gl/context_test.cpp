@@ -12,6 +12,7 @@
 #include "full_screen_pass.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "gl/texture.h"
 
 namespace relievo::gl {
 namespace {
@@ -118,6 +119,16 @@ TEST(Context, DebugTurnsAnErrorIntoAnExceptionAtTheCall) {
         EXPECT_NO_THROW(glEnable(GL_DEPTH_TEST));  // the error is told once
         EXPECT_FALSE(renderPattern().empty());
     }
+}
+
+TEST(Context, DestructorsNeverThrowTheErrorOfAnEarlierCall) {
+    const auto context = createContext(Backend::OSMesa, {.debug = true});
+    {
+        const Texture texture(1, 1, GL_R32F);
+        glad_glEnable(0xFFFF);  // past the wrapper, as a library with a loader of its own does
+    }
+    EXPECT_THROW(glEnable(GL_DEPTH_TEST), GlError);
+    EXPECT_NO_THROW(glEnable(GL_DEPTH_TEST));
 }
 
 TEST(Context, WithoutDebugErrorsStayInTheDriver) {
