@@ -12,7 +12,7 @@ bin=build/release/bin
 mkdir -p out
 step "$bin/relievo-bake" relief textures/samples/cobbles-height.png -o out/cobbles.exr
 step "$bin/relievo-view" out/cobbles.exr --albedo textures/samples/cobbles-albedo.png \
-    --compare normal,linear,relief,cone,exact --headless -o out/compare.png --error out/error.exr
+    --compare normal,linear,relief,cone,reference --headless -o out/compare.png --error out/error.exr
 
 echo "$program: out/compare.png  techniques next to the exact picture, with their errors"
 echo "$program: out/error.exr    the error of every pixel"

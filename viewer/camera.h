@@ -17,7 +17,7 @@ struct Camera {
 struct OrbitCamera {
     float azimuth = 35.0f;      ///< 0 looks along +y, grows counter-clockwise seen from above
     float elevation = 40.0f;    ///< above the horizon, in [−90, 90]
-    float distance = 1.6f;      ///< from the target, in world units, > 0
+    float distance = 1.8f;      ///< from the target, in world units, > 0
     float fieldOfView = 40.0f;  ///< vertical
     glm::vec3 target{0.0f};
 };

@@ -85,7 +85,7 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
            },
            "Eye around the object: azimuth and elevation in degrees, distance in object widths")
         ->type_name("AZ,EL[,DISTANCE]")
-        ->default_str("35,40,1.6");
+        ->default_str("35,40,1.8");
     app.add_option_function<std::string>(
            "--light",
            [&options](const std::string& text) {

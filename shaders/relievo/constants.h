@@ -10,9 +10,9 @@
 #define RELIEVO_ATTRIBUTE_UV 4
 
 // Colour attachments of programs/measured.frag, all RGBA32F.
-#define RELIEVO_OUTPUT_HIT 0        // (u, v, z) of the hit, t along the ray
-#define RELIEVO_OUTPUT_WORK 1       // outcome, steps, fetches, 1 where a fragment was drawn
-#define RELIEVO_OUTPUT_ORIGIN 2     // (u, v, z) where the ray enters the relief, t where it leaves it
+#define RELIEVO_OUTPUT_HIT 0     // (u, v, z) of the hit, t along the ray
+#define RELIEVO_OUTPUT_WORK 1    // outcome, steps, fetches, 1 where a fragment was drawn
+#define RELIEVO_OUTPUT_ORIGIN 2  // (u, v, z) where the ray enters the relief, t where it leaves it
 #define RELIEVO_OUTPUT_DIRECTION 3  // (du, dv, dz) of the ray, world length of one unit of t
 #define RELIEVO_OUTPUT_NORMAL 4     // unit shading normal in the tile's metric, z up
 #define RELIEVO_OUTPUT_COUNT 5
@@ -22,8 +22,8 @@
 #define RELIEVO_OUTCOME_MISS 1       // the ray left the relief's window above the surface
 #define RELIEVO_OUTCOME_EXHAUSTED 2  // the steps ran out: position is the last point reached
 
-// The longest search, in tile widths of horizontal distance, on a relief without a window. Only rays
-// that are nearly level come near it.
+// The longest search, in tile widths of horizontal distance, on a relief without a window. Only
+// rays that are nearly level come near it.
 #define RELIEVO_MAXIMUM_REACH 1000.0
 
 #endif
