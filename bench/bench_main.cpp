@@ -1,0 +1,16 @@
+#include "bench/bake_command.h"
+#include "bench/render_command.h"
+#include "commands/program.h"
+
+int main(int argc, char** argv) {
+    CLI::App app("Measures map builders and search techniques.", "relievo-bench");
+    app.require_subcommand(1);
+    relievo::bench::BakeCommand bake(app);
+    relievo::bench::RenderCommand render(app);
+    return relievo::commands::runProgram(app, argc, argv, [&] {
+        if (bake.chosen())
+            bake.run();
+        if (render.chosen())
+            render.run();
+    });
+}

@@ -1,0 +1,35 @@
+#include "bench/benchmark_options.h"
+
+#include "textures/sample_reliefs.h"
+
+namespace relievo::bench {
+
+void addNamesOption(CLI::App& command, const std::string& option, std::vector<std::string>& chosen,
+                    const std::string& description) {
+    command.add_option(option, chosen, description)
+        ->delimiter(',')
+        ->check(CLI::IsMember(chosen))
+        ->capture_default_str();
+}
+
+void addSamplesOption(CLI::App& command, std::vector<std::string>& samples) {
+    samples.clear();
+    for (const textures::SampleRelief& sample : textures::sampleReliefs())
+        samples.emplace_back(sample.name);
+    addNamesOption(command, "--samples", samples, "Generated reliefs");
+}
+
+void addRepeatOption(CLI::App& command, int& repeat) {
+    command.add_option("--repeat", repeat, "Runs of each measurement, of which the fastest counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+}
+
+void addReportOptions(CLI::App& command, ReportPaths& paths) {
+    command.add_option("--json", paths.json, "Write the report to this file as JSON")
+        ->type_name("FILE");
+    command.add_option("--plot", paths.plot, "Draw the report to this SVG file, with gnuplot")
+        ->type_name("FILE.svg");
+}
+
+}  // namespace relievo::bench

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace relievo::bench {
+
+/// One curve: points (x,y) in the order in which they are joined.
+struct PlotSeries {
+    std::string name;
+    std::vector<std::pair<double, double>> points;
+};
+
+struct PlotPanel {
+    std::string title;
+    std::vector<PlotSeries> series;
+};
+
+/// Panels of one kind, laid out in rows, with logarithmic axes. A series of one name has one colour
+/// in all panels. Points must be finite and positive.
+struct Plot {
+    std::string title;
+    std::string xLabel;
+    std::string yLabel;
+    int columns = 0;  ///< panels in a row; 0 is about as many as there are rows
+    std::vector<PlotPanel> panels;
+};
+
+/// The series of that name in the panel of that title, made at the end of either when missing.
+PlotSeries& seriesOf(Plot& plot, const std::string& panelTitle, const std::string& seriesName);
+
+/// Throws std::runtime_error when there is no gnuplot to run: to be called before measuring.
+void requireGnuplot();
+
+/// The gnuplot program that draws `plot` to `output` as SVG, data included.
+std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output);
+
+/// Draws `plot` to `output`, an SVG file, by piping a script to gnuplot. Throws std::runtime_error
+/// when gnuplot fails; its own message goes to stderr.
+void drawPlot(const Plot& plot, const std::filesystem::path& output);
+
+}  // namespace relievo::bench

@@ -1,0 +1,230 @@
+// relievo-bench as a process.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/bench/scoped_path.h"
+#include "tests/commands/process.h"
+
+namespace relievo::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+using Words = std::vector<std::string>;
+
+Words operator+(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+ProcessResult bench(const Words& words, const ProcessOptions& options = {}) {
+    return runProcess(Words{std::getenv("RELIEVO_BENCH")} + words, options);
+}
+
+/// The lines of a table, each split at runs of two or more spaces.
+std::vector<Words> parseTable(const std::string& text) {
+    std::vector<Words> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        Words cells;
+        for (std::size_t at = line.find_first_not_of(' '); at != std::string::npos;) {
+            const std::size_t end = line.find("  ", at);
+            cells.push_back(line.substr(at, end - at));
+            at = end == std::string::npos ? end : line.find_first_not_of(' ', end);
+        }
+        lines.push_back(cells);
+    }
+    return lines;
+}
+
+const Words kSmallBake{"bake", "--samples", "noise,wave", "--sizes", "8,13", "--repeat", "1"};
+
+const Words kSmallRender{
+    "render",       "--samples", "wave",    "--techniques", "normal,relief,cone",
+    "--elevations", "90,30",     "--steps", "4,64",         "--size",
+    "16",           "--frame",   "19",      "--repeat",     "1"};
+
+TEST(BenchBake, TableHasARowAMeasurement) {
+    const ProcessResult result = bench(kSmallBake);
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_EQ(result.errors, "");
+    const std::vector<Words> table = parseTable(result.output);
+    ASSERT_EQ(table.size(), 1u + 2 * 2 * 4);
+    EXPECT_EQ(table[0], (Words{"sample", "builder", "size", "ms", "ns/texel", "nodes/texel"}));
+    std::set<Words> distinct;
+    for (std::size_t row = 1; row < table.size(); ++row) {
+        ASSERT_EQ(table[row].size(), 6u);
+        distinct.insert({table[row][0], table[row][1], table[row][2]});
+        EXPECT_GT(std::stod(table[row][3]), 0.0);
+        // Only the search has nodes to count.
+        EXPECT_EQ(table[row][5] != "-", table[row][1] == "cones-exact");
+    }
+    EXPECT_EQ(distinct.size(), table.size() - 1);
+}
+
+TEST(BenchBake, WritesJsonAndPlot) {
+    const ScratchFolder folder;
+    const ProcessResult result = bench(
+        kSmallBake + Words{"--json", folder.file("bake.json"), "--plot", folder.file("bake.svg")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    const auto report = nlohmann::json::parse(readBytes(folder.file("bake.json")));
+    EXPECT_EQ(report.at("benchmark"), "bake");
+    EXPECT_EQ(report.at("repeat"), 1);
+    EXPECT_GE(report.at("threads"), 1);
+    ASSERT_EQ(report.at("rows").size(), 16u);
+    for (const auto& row : report.at("rows")) {
+        const double perTexel = row.at("nanosecondsPerTexel");
+        const double size = row.at("size");
+        EXPECT_GT(perTexel, 0.0);
+        EXPECT_NEAR(perTexel * size * size, row.at("milliseconds").get<double>() * 1e6, 1e-3);
+        EXPECT_EQ(row.at("nodesPerTexel").is_number(), row.at("builder") == "cones-exact");
+    }
+    const std::string svg = readBytes(folder.file("bake.svg"));
+    EXPECT_THAT(svg, HasSubstr("<svg"));
+    EXPECT_THAT(svg, HasSubstr("cones-levels"));
+    EXPECT_EQ(folder.list(), (Words{"bake.json", "bake.svg"}));
+}
+
+TEST(BenchBake, WorkDoesNotDependOnThreads) {
+    const auto nodes = [](const char* threads) {
+        const ProcessResult result =
+            bench(kSmallBake + Words{"--builders", "cones-exact", "--threads", threads});
+        Words column;
+        for (const Words& row : parseTable(result.output))
+            column.push_back(row.at(5));
+        return column;
+    };
+    EXPECT_EQ(nodes("1").size(), 5u);
+    EXPECT_EQ(nodes("1"), nodes("2"));
+}
+
+TEST(BenchRender, MoreStepsHaveFewerErrors) {
+    const ScratchFolder folder;
+    const ProcessResult result = bench(kSmallRender + Words{"--json", folder.file("render.json"),
+                                                            "--plot", folder.file("render.svg")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    const std::vector<Words> table = parseTable(result.output);
+    ASSERT_EQ(table.size(), 1u + 2 * (1 + 2 + 2));
+    const auto report = nlohmann::json::parse(readBytes(folder.file("render.json")));
+    EXPECT_EQ(report.at("benchmark"), "render");
+    EXPECT_NE(report.at("renderer"), "");
+    const auto& rows = report.at("rows");
+    ASSERT_EQ(rows.size(), table.size() - 1);
+    for (const auto& row : rows)
+        EXPECT_GT(row.at("milliseconds"), 0.0);
+    // The row at 30° of a technique and budget.
+    const auto find = [&](const std::string& technique, const nlohmann::json& budget) {
+        for (const auto& row : rows)
+            if (row.at("technique") == technique && row.at("elevation") == 30.0 &&
+                row.at("stepBudget") == budget)
+                return row;
+        throw std::runtime_error("no row for " + technique);
+    };
+    EXPECT_EQ(find("normal", nullptr).at("meanSteps"), 0.0);
+    EXPECT_GT(find("normal", nullptr).at("wrongPercent"), 50.0);
+    EXPECT_GT(find("relief", 4).at("meanDistanceTexels"),
+              find("relief", 64).at("meanDistanceTexels"));
+    EXPECT_EQ(find("relief", 64).at("wrongPercent"), 0.0);
+    EXPECT_GT(find("cone", 4).at("unconvergedPercent"), find("cone", 64).at("unconvergedPercent"));
+    EXPECT_EQ(find("cone", 64).at("wrongPercent"), 0.0);
+    EXPECT_GT(find("cone", 64).at("meanFetches"), find("cone", 4).at("meanFetches"));
+    EXPECT_THAT(readBytes(folder.file("render.svg")), HasSubstr("wave, 30"));
+}
+
+TEST(BenchRender, BackEndsAgreeOnAllButTime) {
+    const auto withoutTimes = [](const char* backend) {
+        const ProcessResult result = bench(kSmallRender + Words{"--backend", backend});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        std::vector<Words> table = parseTable(result.output);
+        for (Words& row : table)
+            row.at(4) = "";
+        return table;
+    };
+    const std::vector<Words> osmesa = withoutTimes("osmesa");
+    EXPECT_EQ(osmesa.size(), 11u);
+    EXPECT_EQ(osmesa, withoutTimes("egl"));
+}
+
+TEST(Bench, HelpListsWhatThereIs) {
+    const ProcessResult bake = bench({"bake", "--help"});
+    EXPECT_EQ(bake.exitStatus, 0);
+    EXPECT_THAT(bake.output, HasSubstr("cones-levels"));
+    EXPECT_THAT(bake.output, HasSubstr("lettering"));
+    EXPECT_THAT(bake.output, HasSubstr("Examples"));
+    const ProcessResult render = bench({"render", "--help"});
+    EXPECT_EQ(render.exitStatus, 0);
+    EXPECT_THAT(render.output, HasSubstr("relief"));
+    EXPECT_THAT(render.output, HasSubstr("Examples"));
+}
+
+TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
+    const ScratchFolder folder;
+    const std::vector<Words> wrong = {
+        {},
+        {"paint"},
+        {"bake", "--samples", "mountains"},
+        {"bake", "--builders", "cones"},
+        {"bake", "--sizes", "0"},
+        {"bake", "--sizes", "big"},
+        {"bake", "--repeat", "0"},
+        {"bake", "--threads", "-1"},
+        {"bake", "--elevations", "5"},
+        {"bake", "--plot", folder.file("bake.png")},
+        {"render", "--techniques", "magic"},
+        {"render", "--elevations", "0"},
+        {"render", "--steps", "0"},
+        {"render", "--backend", "vulkan"},
+        {"render", "--plot-against", "luck"},
+    };
+    for (const Words& words : wrong) {
+        const ProcessResult result = bench(words);
+        EXPECT_EQ(result.exitStatus, 2) << testing::PrintToString(words);
+        EXPECT_EQ(result.output, "");
+        EXPECT_THAT(result.errors, StartsWith("relievo-bench: "));
+        EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    }
+    EXPECT_THAT(folder.list(), IsEmpty());
+}
+
+// The sizes are such that a failure after the work would run into the time limit of the test.
+const Words kLongBake{"bake", "--sizes", "16384", "--repeat", "1000"};
+
+TEST(Bench, AFolderThatDoesNotExistFailsBeforeTheWork) {
+    const ProcessResult result = bench(kLongBake + Words{"--json", "/no-such-folder/bake.json"});
+    EXPECT_EQ(result.exitStatus, 1);
+    EXPECT_THAT(result.errors, HasSubstr("/no-such-folder/bake.json"));
+}
+
+TEST(Bench, AMissingGnuplotFailsBeforeTheWork) {
+    const ScratchFolder folder;
+    const ScopedPath path(folder.path());
+    const ProcessResult result = bench(
+        kLongBake + Words{"--json", folder.file("bake.json"), "--plot", folder.file("bake.svg")});
+    EXPECT_EQ(result.exitStatus, 1);
+    EXPECT_THAT(result.errors, HasSubstr("gnuplot"));
+    EXPECT_THAT(folder.list(), IsEmpty());
+}
+
+TEST(Bench, AnInterruptLeavesNoFile) {
+    const ScratchFolder folder;
+    ProcessOptions options;
+    options.signalAfter = std::chrono::milliseconds(700);
+    const ProcessResult result =
+        bench(kLongBake + Words{"--json", folder.file("bake.json")}, options);
+    EXPECT_EQ(result.exitStatus, 130);
+    EXPECT_THAT(folder.list(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace relievo::tests
