@@ -1,15 +1,20 @@
 #include "bench/benchmark_options.h"
 
+#include <fmt/format.h>
+
 #include "textures/sample_reliefs.h"
 
 namespace relievo::bench {
 
 void addNamesOption(CLI::App& command, const std::string& option, std::vector<std::string>& chosen,
                     const std::string& description) {
-    command.add_option(option, chosen, description)
+    // The list stands in the text once, instead of in the type and in the default.
+    command
+        .add_option(option, chosen, fmt::format("{}, of: {}", description, fmt::join(chosen, ", ")))
         ->delimiter(',')
-        ->check(CLI::IsMember(chosen))
-        ->capture_default_str();
+        ->check(CLI::IsMember(chosen).description(""))
+        ->type_name("NAME,...")
+        ->default_str("all");
 }
 
 void addSamplesOption(CLI::App& command, std::vector<std::string>& samples) {

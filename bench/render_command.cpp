@@ -33,15 +33,20 @@ RenderCommand::RenderCommand(CLI::App& app)
         ->check(CLI::Range(-360.0, 360.0));
     addRepeatOption(*m_command, m_options.repeat);
     m_command->add_option("--backend", m_options.backend, "OpenGL through osmesa, egl or glfw")
+        ->type_name("NAME")
         ->default_str("osmesa")
         ->transform(CLI::CheckedTransformer(
-            std::map<std::string, gl::Backend>{{"osmesa", gl::Backend::OSMesa},
-                                               {"egl", gl::Backend::Egl},
-                                               {"glfw", gl::Backend::Glfw}}));
+                        std::map<std::string, gl::Backend>{{"osmesa", gl::Backend::OSMesa},
+                                                           {"egl", gl::Backend::Egl},
+                                                           {"glfw", gl::Backend::Glfw}})
+                        .description(""));
     m_command->add_option("--plot-against", m_plotAgainst, "Plot errors against time or fetches")
+        ->type_name("NAME")
         ->default_str("time")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, PlotAgainst>{
-            {"time", PlotAgainst::Time}, {"fetches", PlotAgainst::Fetches}}));
+        ->transform(CLI::CheckedTransformer(
+                        std::map<std::string, PlotAgainst>{{"time", PlotAgainst::Time},
+                                                           {"fetches", PlotAgainst::Fetches}})
+                        .description(""));
     addReportOptions(*m_command, m_paths);
     m_command->footer(
         "Examples:\n"
