@@ -120,7 +120,11 @@ ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
 }
 
 Plot bakePlot(const std::vector<BakeMeasurement>& measurements) {
-    Plot plot{"Building maps", "size in texels", "ns per texel", 0, {}};
+    Plot plot;
+    plot.title = "Building maps";
+    plot.xLabel = "size in texels";
+    plot.yLabel = "ns per texel";
+    plot.xLogarithmBase = 2;
     for (const BakeMeasurement& m : measurements)
         seriesOf(plot, m.builder, m.sample).points.emplace_back(m.size, m.nanosecondsPerTexel());
     return plot;

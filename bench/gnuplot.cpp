@@ -84,10 +84,11 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output)
         "set terminal svg noenhanced size {},{} background 'white' font 'sans,11'\n"
         "set output {}\n"
         "set multiplot layout {},{} title {}\n"
-        "set logscale xy\nset grid\nset key top left font ',9'\n"
+        "set logscale x {}\nset logscale y\nset grid\nset key {} font ',9'\n"
         "set format '%g'\nset xlabel {}\nset ylabel {}\n",
         columns * kPanelWidth, rows * kPanelHeight + kTitleHeight, quoted(output.string()), rows,
-        columns, quoted(plot.title), quoted(plot.xLabel), quoted(plot.yLabel));
+        columns, quoted(plot.title), plot.xLogarithmBase, plot.keyPosition, quoted(plot.xLabel),
+        quoted(plot.yLabel));
     const std::vector<std::string> names = seriesNames(plot);
     for (std::size_t p = 0; p < plot.panels.size(); ++p)
         script += panelScript(plot.panels[p], p, names);
@@ -99,7 +100,7 @@ void drawPlot(const Plot& plot, const std::filesystem::path& output) {
     // A gnuplot that gives up early closes the pipe: that is for its exit status to say, not for
     // SIGPIPE to end this program.
     const auto previous = std::signal(SIGPIPE, SIG_IGN);
-    std::FILE* const pipe = ::popen("gnuplot -d", "w");
+    std::FILE* const pipe = ::popen("gnuplot -d >/dev/null", "w");
     if (pipe != nullptr)
         std::fwrite(script.data(), 1, script.size(), pipe);
     const int status = pipe != nullptr ? ::pclose(pipe) : -1;

@@ -24,6 +24,8 @@ struct Plot {
     std::string title;
     std::string xLabel;
     std::string yLabel;
+    int xLogarithmBase = 10;
+    std::string keyPosition = "top left";  ///< of the names, inside each panel
     int columns = 0;  ///< panels in a row; 0 is about as many as there are rows
     std::vector<PlotPanel> panels;
 };

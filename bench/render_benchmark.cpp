@@ -159,11 +159,11 @@ ReportTable renderTable(const std::vector<RenderMeasurement>& measurements) {
 }
 
 Plot renderPlot(const std::vector<RenderMeasurement>& measurements, PlotAgainst against) {
-    Plot plot{"Wrong first hits of search techniques",
-              against == PlotAgainst::Time ? "ms per frame" : "fetches per pixel",
-              "wrong first hits in % (none: as half a ray)",
-              0,
-              {}};
+    Plot plot;
+    plot.title = "Wrong first hits of search techniques";
+    plot.xLabel = against == PlotAgainst::Time ? "ms per frame" : "fetches per pixel";
+    plot.yLabel = "wrong first hits in % (none: as half a ray)";
+    plot.keyPosition = "top right";
     std::set<double> elevations;
     for (const RenderMeasurement& m : measurements) {
         const double fewest = 0.5 / static_cast<double>(std::max<std::size_t>(m.errors.rays, 1));

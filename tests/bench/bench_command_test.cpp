@@ -197,7 +197,7 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
     EXPECT_THAT(folder.list(), IsEmpty());
 }
 
-// The sizes are such that a failure after the work would run into the time limit of the test.
+// The work is such that a failure after the work would run into the time limit of the test.
 const Words kLongBake{"bake", "--sizes", "16384", "--repeat", "1000"};
 
 TEST(Bench, AFolderThatDoesNotExistFailsBeforeTheWork) {
@@ -219,9 +219,10 @@ TEST(Bench, AMissingGnuplotFailsBeforeTheWork) {
 TEST(Bench, AnInterruptLeavesNoFile) {
     const ScratchFolder folder;
     ProcessOptions options;
-    options.signalAfter = std::chrono::milliseconds(700);
+    options.signalWhen = [&] { return !folder.list().empty(); };
     const ProcessResult result =
-        bench(kLongBake + Words{"--json", folder.file("bake.json")}, options);
+        bench({"bake", "--sizes", "512", "--repeat", "1000", "--json", folder.file("bake.json")},
+              options);
     EXPECT_EQ(result.exitStatus, 130);
     EXPECT_THAT(folder.list(), IsEmpty());
 }

@@ -15,7 +15,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 Plot samplePlot() {
-    Plot plot{"Bob's plot", "size", "time", 0, {}};
+    Plot plot;
+    plot.title = "Bob's plot";
+    plot.xLabel = "size";
+    plot.yLabel = "time";
     seriesOf(plot, "first", "noise").points = {{1, 2}, {3, 4}};
     seriesOf(plot, "second", "waves").points = {{1, 5}};
     seriesOf(plot, "second", "noise").points = {{10, 6}};

@@ -58,6 +58,29 @@ std::string contents(std::FILE* file) {
     _exit(kCannotStart);
 }
 
+bool hasEnded(pid_t child) {
+    siginfo_t state = {};
+    return waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           state.si_pid == child;
+}
+
+// Sends the signal when it is time to. A program that has ended is still there until waited for.
+void interrupt(pid_t child, const ProcessOptions& options) {
+    if (options.signalAfter) {
+        std::this_thread::sleep_for(*options.signalAfter);
+        kill(child, options.signal);
+    }
+    if (!options.signalWhen)
+        return;
+    while (!hasEnded(child)) {
+        if (options.signalWhen()) {
+            kill(child, options.signal);
+            return;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
 int waitForEnd(pid_t child) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
@@ -81,10 +104,7 @@ ProcessResult runProcess(const std::vector<std::string>& command, const ProcessO
         throw std::runtime_error("cannot fork");
     if (child == 0)
         becomeProgram(arguments.data(), options, fileno(output.get()), fileno(errors.get()));
-    if (options.signalAfter) {
-        std::this_thread::sleep_for(*options.signalAfter);
-        kill(child, options.signal);  // a program that has ended is still there until waited for
-    }
+    interrupt(child, options);
     const int status = waitForEnd(child);
 
     ProcessResult result;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct ProcessOptions {
     std::filesystem::path folder;  ///< working folder; "" is the current one
     /// Send `signal` so long after the start, unless the program has ended by then.
     std::optional<std::chrono::milliseconds> signalAfter;
+    /// Send `signal` as soon as this holds, unless the program has ended by then.
+    std::function<bool()> signalWhen;
     int signal = 2;  ///< SIGINT
     /// Limit in bytes on the size of every file that the program writes (RLIMIT_FSIZE), which makes
     /// a write fail like a full disk does, without the rights to mount one.
