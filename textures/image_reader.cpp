@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kLargestSide = 32768;
 constexpr double kMebibyte = 1024.0 * 1024.0;
-constexpr double kLargestImage = 1024.0 * kMebibyte;
 
 [[noreturn]] void reject(const std::filesystem::path& file, std::string_view what) {
     throw InputError(fmt::format("{}: {}", file.string(), what));
@@ -55,7 +54,7 @@ void checkRegularFile(const std::filesystem::path& file) {
         reject(file, "is truncated, expected a whole image");
 }
 
-void checkShape(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
+void checkShape(const std::filesystem::path& file, const OIIO::ImageSpec& spec, double largest) {
     if (spec.deep || spec.depth > 1)
         reject(file, "is a deep or volume image, expected a flat one");
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
@@ -66,11 +65,11 @@ void checkShape(const std::filesystem::path& file, const OIIO::ImageSpec& spec) 
         reject(file, fmt::format("is {} x {} texels, expected at most {} per side", spec.width,
                                  spec.height, kLargestSide));
     const double bytes = 1.0 * spec.width * spec.height * spec.nchannels * sizeof(float);
-    if (bytes > kLargestImage)
+    if (bytes > largest)
         reject(file, fmt::format("takes {:.0f} MiB when decoded ({} x {} texels, {} channels), "
                                  "expected at most {:.0f} MiB",
                                  bytes / kMebibyte, spec.width, spec.height, spec.nchannels,
-                                 kLargestImage / kMebibyte));
+                                 largest / kMebibyte));
     if (spec.full_width != spec.width || spec.full_height != spec.height)
         reject(file, fmt::format("holds {} x {} texels of a picture of {} x {}, expected all of it",
                                  spec.width, spec.height, spec.full_width, spec.full_height));
@@ -122,7 +121,7 @@ struct ImageReader::Input {
     }
 };
 
-ImageReader::ImageReader(std::filesystem::path file) : m_file(std::move(file)) {
+ImageReader::ImageReader(std::filesystem::path file, double largest) : m_file(std::move(file)) {
     checkRegularFile(m_file);
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
@@ -134,7 +133,7 @@ ImageReader::ImageReader(std::filesystem::path file) : m_file(std::move(file)) {
                            "or the like",
                            openingFailure()));
     const OIIO::ImageSpec& spec = m_input->image->spec();
-    checkShape(m_file, spec);
+    checkShape(m_file, spec, largest);
     m_info = describe(spec);
 }
 

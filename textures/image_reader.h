@@ -10,6 +10,11 @@
 
 namespace relievo::textures {
 
+/// What an image or a map file may take when decoded, in bytes: far beyond any texture, but short
+/// of what a damaged header can claim. A map of 8192² texels may have eight channels.
+inline constexpr double kLargestImage = 1024.0 * 1024.0 * 1024.0;
+inline constexpr double kLargestMap = 2.0 * kLargestImage;
+
 /// How an image file holds its numbers. Other covers what is read as float: double, wide integers.
 enum class SampleType { U8, U16, Half, Float, Other };
 
@@ -29,8 +34,8 @@ class ImageReader {
   public:
     /// Throws InputError for a file that is missing, no regular file, empty, truncated (PNG, JPEG),
     /// no image, a deep or volume image, a crop, of zero size, wider or higher than 32768, or over
-    /// 1 GiB when decoded.
-    explicit ImageReader(std::filesystem::path file);
+    /// `largest` bytes when decoded to floats.
+    explicit ImageReader(std::filesystem::path file, double largest = kLargestImage);
     ~ImageReader();
     ImageReader(const ImageReader&) = delete;
     ImageReader& operator=(const ImageReader&) = delete;

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "textures/channel_rules.h"
@@ -41,6 +43,16 @@ void checkChannels(const MapSet& maps) {
             throw std::invalid_argument("'" + channel.name +
                                         "' cannot name a channel, or names two");
     }
+}
+
+/// What readMapFile would refuse must not be written.
+void requireReadableSize(const std::filesystem::path& file, const MapSet& maps) {
+    const double texels = 1.0 * maps.width() * maps.height();
+    if (texels * static_cast<double>(maps.channels.size() * sizeof(float)) > kLargestMap)
+        throw InputError(fmt::format(
+            "{}: {} x {} texels with {} channels are too many for a map file, expected at most "
+            "2 GiB as floats",
+            file.string(), maps.width(), maps.height(), maps.channels.size()));
 }
 
 /// Ratios may be infinite (stored as the widest), nothing may be NaN, and halves end at 65504.
@@ -158,7 +170,7 @@ void checkValues(const Channel& channel, const std::string& file) {
                              : (rule.isSigned ? "finite values" : "finite values from 0")));
 }
 
-/// The plane of the stored channel `position`, decoded.
+/// The values of the channel `name` whose codes, as fractions of the largest, are `stored`.
 Plane unpack(Plane stored, const std::string& name, const ChannelRanges& ranges,
              StorageFormat format, const std::string& file) {
     const auto range = ranges.find(name);
@@ -201,6 +213,7 @@ void takeNamedChannels(std::vector<Plane> planes, const std::vector<std::string>
 void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format) {
     checkChannels(maps);
     requireExtensionFor(file, format);
+    requireReadableSize(file, maps);
     for (const Channel& channel : maps.channels)
         checkStorable(file, channel, format);
     writeImage(file, isPackedFormat(format) ? packedContent(file, maps, format)
@@ -216,7 +229,7 @@ bool isMapFile(const std::filesystem::path& file) {
 
 MapSet readMapFile(const std::filesystem::path& file) {
     const std::string name = file.string();
-    ImageReader reader(file);
+    ImageReader reader(file, kLargestMap);
     const ImageInfo& info = reader.info();
     const TextAttributes attributes = attributesOf(info);
     MapSet maps = mapsFromAttributes(attributes, name);
