@@ -10,10 +10,11 @@ build release relievo-bake relievo-view
 
 bin=build/release/bin
 mkdir -p out
-step "$bin/relievo-bake" relief textures/samples/cobbles-height.png -o out/cobbles.exr
-step "$bin/relievo-view" out/cobbles.exr --albedo textures/samples/cobbles-albedo.png \
-    --compare normal,linear,relief,cone,reference --headless -o out/compare.png --error out/error.exr
+step "$bin/relievo-bake" relief textures/samples/bricks-height.png -o out/bricks.exr
+step "$bin/relievo-view" out/bricks.exr --albedo textures/samples/bricks-albedo.png \
+    --compare normal,linear,relief,cone,reference --headless --size 360x300 --camera 30,25,1.05 \
+    -o out/compare.png --error out/error.exr
 
 echo "$program: out/compare.png  techniques next to the exact picture, with their errors"
 echo "$program: out/error.exr    the error of every pixel"
-echo "$program: out/cobbles.exr  the baked maps (build/release/bin/relievo-bake info out/cobbles.exr)"
+echo "$program: out/bricks.exr   the baked maps (build/release/bin/relievo-bake info out/bricks.exr)"

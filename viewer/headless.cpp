@@ -76,7 +76,7 @@ class HeadlessRun {
         Picture empty(options_.width, options_.height);
         for (std::size_t k = 0; k < empty.rgba.size(); ++k)
             empty.rgba[k] = k % 4 == 3 ? 1.0f : 0.13f;
-        return {empty, "distance from the exact hit, along the ray", ""};
+        return {empty, "distance from the exact hit", "along the ray; wrong: by over a texel"};
     }
 
     void addTechnique(const materials::Technique& technique, const std::string& label) {
@@ -101,12 +101,12 @@ class HeadlessRun {
         const auto comparisons = compareFrames(frame, reference(), map, view_.depthScale);
         const double texel = 1.0 / map.width();
         const reference::ErrorStatistics errors = reference::summarizeErrors(comparisons, texel);
-        const std::string summary = fmt::format(
-            "{:.2f} % wrong, mean {:.3f}, 99 % {:.2f}, max {:.1f} texels, normal {:.2f}°",
-            100 * errors.wrongShare, errors.meanDistance / texel,
-            errors.percentile99Distance / texel, errors.maximumDistance / texel,
-            errors.meanNormalAngle);
-        commands::say(fmt::format("    against the exact hits: {}", summary));
+        const std::string summary =
+            fmt::format("{:.2f} % wrong, mean {:.3f}, max {:.1f} texels", 100 * errors.wrongShare,
+                        errors.meanDistance / texel, errors.maximumDistance / texel);
+        commands::say(
+            fmt::format("    against the exact hits: {}, 99 % within {:.2f}, normals {:.2f}°",
+                        summary, errors.percentile99Distance / texel, errors.meanNormalAngle));
         const ErrorImage image = makeErrorImage(frame, reference(), map, view_.depthScale);
         result_.heatMaps.push_back(
             {heatMap(image), fmt::format("error of {}", technique.title), summary});
