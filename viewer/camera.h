@@ -20,6 +20,8 @@ struct OrbitCamera {
     float distance = 1.8f;      ///< from the target, in world units, > 0
     float fieldOfView = 40.0f;  ///< vertical
     glm::vec3 target{0.0f};
+
+    friend bool operator==(const OrbitCamera&, const OrbitCamera&) = default;
 };
 
 /// The perspective camera of `orbit` for a frame of the given width/height.

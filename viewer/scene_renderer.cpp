@@ -123,11 +123,14 @@ MeasuredFrame SceneRenderer::measure(materials::ReliefMaterial& material, const 
     return readMeasuredFrame(target);
 }
 
-ReferenceFrame SceneRenderer::trace(const View& view, int width, int height) {
+MeasuredFrame SceneRenderer::rays(const View& view, int width, int height) {
     // Normal mapping does no search: it is the cheapest way to get the rays.
-    materials::ReliefMaterial rays = makeMaterial(materials::findTechnique("normal"));
-    return traceReference(measure(rays, view, width, height), depthMap_, view.window,
-                          view.depthScale);
+    materials::ReliefMaterial material = makeMaterial(materials::findTechnique("normal"));
+    return measure(material, view, width, height);
+}
+
+ReferenceFrame SceneRenderer::trace(const View& view, int width, int height) {
+    return traceReference(rays(view, width, height), depthMap_, view.window, view.depthScale);
 }
 
 }  // namespace relievo::viewer

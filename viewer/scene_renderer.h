@@ -51,6 +51,8 @@ class SceneRenderer {
     /// Records the searches of every pixel.
     MeasuredFrame measure(materials::ReliefMaterial& material, const View& view, int width,
                           int height);
+    /// The rays of every pixel, for traceReference; what was measured besides means nothing.
+    MeasuredFrame rays(const View& view, int width, int height);
     /// The exact hits of the rays of the same view.
     ReferenceFrame trace(const View& view, int width, int height);
 

@@ -6,6 +6,7 @@
 #include "materials/technique_registry.h"
 #include "viewer/headless.h"
 #include "viewer/view_options.h"
+#include "viewer/view_window.h"
 
 namespace {
 
@@ -27,14 +28,21 @@ void listTechniques() {
         fmt::format("{}: the exact first hits, traced on the CPU", viewer::kReferenceName));
 }
 
-void run(viewer::ViewOptions& options) {
+// A window wants more room than a picture on a sheet.
+constexpr int kWindowPictureSize = 768;
+
+void run(viewer::ViewOptions& options, bool hasSize) {
+    if (!options.headless && !hasSize)
+        options.width = options.height = kWindowPictureSize;
     if (options.techniques.empty())
         options.techniques = {"cone"};
     viewer::checkViewOptions(options);
     if (options.list)
         listTechniques();
-    else
+    else if (options.headless)
         viewer::runHeadless(options);
+    else
+        viewer::runWindow(options);
 }
 
 }  // namespace
@@ -49,5 +57,5 @@ int main(int argc, char** argv) {
         "  relievo-view bricks.exr --compare relief,cone,reference --headless -o sheet.png "
         "--error errors.exr\n"
         "  relievo-view bricks.exr --mesh box --tiles 2,2 --depth-scale 0.05 --camera 20,15,2");
-    return commands::runProgram(app, argc, argv, [&] { run(options); });
+    return commands::runProgram(app, argc, argv, [&] { run(options, app.count("--size") > 0); });
 }

@@ -107,9 +107,10 @@ void addOutputOptions(CLI::App& app, ViewOptions& options) {
                options.width = static_cast<int>(n[0]);
                options.height = static_cast<int>(n[1]);
            },
-           "Size in pixels of the window, or of each picture of a headless run (16 to 8192)")
+           "Size in pixels of each picture of a headless run, or of the picture in the window, "
+           "which stands beside the panel (16 to 8192)")
         ->type_name("WxH")
-        ->default_str("512x512");
+        ->default_str("512x512, in a window 768x768");
     app.add_flag("--headless", options.headless, "Render without a window and write -o");
     app.add_option("-o,--output", options.output,
                    "Picture of a headless run (.png, or .exr as half floats); several techniques "

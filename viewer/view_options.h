@@ -21,6 +21,8 @@ struct ParameterSetting {
     std::string technique;  ///< empty for all
     std::string name;
     double value = 0.0;
+
+    friend bool operator==(const ParameterSetting&, const ParameterSetting&) = default;
 };
 
 /// What the command line of relievo-view asks for.
@@ -42,6 +44,8 @@ struct ViewOptions {
     bool list = false;
     bool markExhausted = false;
     gl::Backend backend = gl::Backend::OSMesa;  ///< of a headless run
+
+    friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
 /// The name of the exact picture in --technique and --compare.

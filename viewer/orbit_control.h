@@ -1,0 +1,21 @@
+#pragma once
+
+#include "viewer/camera.h"
+
+namespace relievo::viewer {
+
+/// How the mouse moves an eye. Distances on the screen are in pixels, x to the right and y down;
+/// `frameHeight` is the height of the picture in pixels.
+
+/// The scene follows the pointer: half a frame's height is a quarter turn. The elevation stays
+/// within ±89.9°, where "up" still means something.
+OrbitCamera orbited(const OrbitCamera& camera, float dx, float dy, float frameHeight);
+
+/// Shifts the target in the picture's plane by as much as the point under the pointer moves.
+OrbitCamera panned(const OrbitCamera& camera, float dx, float dy, float frameHeight);
+
+/// Moves the eye towards the target by `notches` of the mouse wheel (away from it when negative),
+/// each by a tenth of the distance, within [0.05, 50].
+OrbitCamera zoomed(const OrbitCamera& camera, float notches);
+
+}  // namespace relievo::viewer
