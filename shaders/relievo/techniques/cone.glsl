@@ -9,7 +9,7 @@
 
 uniform sampler2D relievoConeMap;  // ratio, or radius = ratio·D
 uniform int relievoConeSteps;
-uniform float relievoTolerance;      // in normalised depth: closer than this above the surface is a hit
+uniform float relievoTolerance;  // in normalised depth: closer than this above the surface is a hit
 uniform int relievoConeRefinements;  // bisections of a step that pierced the surface
 
 // The least ratio at the corners of a cell with the given depths.
