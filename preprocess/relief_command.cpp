@@ -37,6 +37,7 @@ using textures::Plane;
 using textures::StorageFormat;
 
 constexpr int kMostThreads = 1024;
+constexpr double kLargestScale = 1e6;
 constexpr std::size_t kPackedChannels = 4;
 
 // What to do, checked: the arguments in the types of the builders.
@@ -116,6 +117,8 @@ ReliefPlan planOf(const ReliefArguments& arguments) {
     // A radius alone says nothing: the search divides it by the depth.
     if (plan.has("cone") && plan.encoding == ConeEncoding::Radius && !plan.has("depth"))
         throw UsageError("--maps: cones as radii need the map depth beside them");
+    if (std::isnan(arguments.normalScale))  // passes every check of a range
+        throw UsageError("--normal-scale: expected a number");
     std::error_code missing;
     if (std::filesystem::equivalent(arguments.height, arguments.output, missing))
         throw UsageError(fmt::format("-o {}: is the height image itself", arguments.output));
@@ -262,7 +265,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
     command
         ->add_option("--normal-scale", arguments.normalScale,
                      "Depth scale of the map normal, in tile widths")
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(CLI::Range(0.0, kLargestScale))
         ->capture_default_str();
     command
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")

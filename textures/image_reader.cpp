@@ -52,6 +52,8 @@ void checkRegularFile(const std::filesystem::path& file) {
         reject(file, "is empty (0 bytes), expected an image");
     if (isTruncatedImage(file))
         reject(file, "is truncated, expected a whole image");
+    if (isPngOfNoSize(file))
+        reject(file, "has a width or height of 0, expected at least one texel");
 }
 
 void checkShape(const std::filesystem::path& file, const OIIO::ImageSpec& spec, double largest) {
@@ -150,7 +152,9 @@ std::vector<Plane> ImageReader::readChannels(int first, int count) {
         good = m_input->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
     else
         good = m_input->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
-    if (!good)
+    // The TIFF reader fills strips that the file lacks with zeros, and has a message but returns
+    // true.
+    if (!good || m_input->image->has_error())
         reject(m_file, fmt::format("is truncated or damaged ({}), expected a whole image",
                                    reason(m_input->image->geterror())));
     return planes;

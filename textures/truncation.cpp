@@ -12,6 +12,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n"sv;
+
 std::uint32_t bigEndian32(std::string_view bytes) {
     std::uint32_t value = 0;
     for (const char byte : bytes.substr(0, 4))
@@ -48,13 +50,23 @@ bool isTruncatedImage(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string start(8, '\0');
     stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-    const bool isPng = start == "\x89PNG\r\n\x1A\n"sv;
+    const bool isPng = start == kPngSignature;
     const bool isJpeg = start.starts_with("\xFF\xD8\xFF"sv);
     if (!isPng && !isJpeg)
         return false;
     const std::string bytes = start + std::string(std::istreambuf_iterator<char>(stream),
                                                   std::istreambuf_iterator<char>());
     return isPng ? isTruncatedPng(bytes) : isTruncatedJpeg(bytes);
+}
+
+bool isPngOfNoSize(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    // The signature, then length and type of the header chunk, then width and height.
+    std::string start(24, '\1');
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    const std::string_view bytes = start;
+    return bytes.starts_with(kPngSignature) &&
+           (bigEndian32(bytes.substr(16)) == 0 || bigEndian32(bytes.substr(20)) == 0);
 }
 
 }  // namespace relievo::textures

@@ -9,4 +9,8 @@ namespace relievo::textures {
 /// formats, whose readers fail properly, and for files that cannot be read.
 bool isTruncatedImage(const std::filesystem::path& file);
 
+/// Whether the header of a PNG file gives a width or a height of 0, about which its reader prints
+/// lines of its own.
+bool isPngOfNoSize(const std::filesystem::path& file);
+
 }  // namespace relievo::textures

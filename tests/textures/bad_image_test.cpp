@@ -11,6 +11,7 @@
 #include "textures/height_image.h"
 #include "textures/image_writer.h"
 #include "textures/map_file.h"
+#include "textures/picture_file.h"
 
 namespace relievo::textures {
 namespace {
@@ -94,6 +95,16 @@ TEST_F(BadImage, EveryTruncationIsNoticed) {
         }
         writeBytes(file(name), whole.substr(0, whole.size() - 1));
         EXPECT_THROW(readHeightImage(file(name), {}), InputError) << name << " less one byte";
+    }
+}
+
+TEST_F(BadImage, OurOwnTiffPicturesNoticeATruncation) {
+    const std::array height{randomPlane(64, 64, 0.0f, 1.0f, 6)};
+    writePicture(file("a.tif"), height, StorageFormat::U16);
+    const std::string whole = readBytes(file("a.tif"));
+    for (int percent = 1; percent < 100; percent += 7) {
+        writeBytes(file("a.tif"), whole.substr(0, whole.size() * percent / 100));
+        EXPECT_THROW(readHeightImage(file("a.tif"), {}), InputError) << percent;
     }
 }
 

@@ -1,0 +1,203 @@
+// relievo-bake as a process: what it makes of good input.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "preprocess/cone_encoding.h"
+#include "preprocess/conservative_cones.h"
+#include "preprocess/derivatives.h"
+#include "tests/preprocess/bake_process.h"
+#include "tests/preprocess/cone_oracle.h"
+#include "textures/height_image.h"
+#include "textures/map_file.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using tests::ProcessResult;
+using tests::ScratchFolder;
+using textures::DepthMap;
+using textures::MapSet;
+using textures::Plane;
+
+class Bake : public testing::Test {
+  protected:
+    // A generated relief as a 16-bit height image.
+    std::string sample(const std::string& name, const std::string& size) {
+        const std::string file = folder.file(name + "-" + size + ".png");
+        const ProcessResult result = bake({"sample", name, "-o", file, "--size", size});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        return file;
+    }
+
+    MapSet baked(const std::string& height, const std::string& name,
+                 std::vector<std::string> options = {}) {
+        const std::string file = folder.file(name);
+        std::vector<std::string> arguments = {"relief", height, "-o", file};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProcessResult result = bake(arguments);
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        return textures::readMapFile(file);
+    }
+
+    ScratchFolder folder;
+};
+
+// Cones of a baked file against brute force: single texels of the whole map, and a crop of it.
+void expectTrueCones(const MapSet& maps) {
+    const DepthMap relief = textures::depthMapOf(maps);
+    std::mt19937 generator(1);
+    for (int k = 0; k < 20; ++k) {
+        const int i = static_cast<int>(generator() % static_cast<unsigned>(relief.width()));
+        const int j = static_cast<int>(generator() % static_cast<unsigned>(relief.height()));
+        const double truth = bruteForceRatio(relief, i, j, 1);
+        const float ratio = maps.find("cone")->at(i, j);
+        if (truth < textures::kLargestHalf)
+            EXPECT_TRUE(isTrueRatio(ratio, truth)) << i << "," << j << " " << ratio << " " << truth;
+        else
+            EXPECT_EQ(ratio, textures::kLargestHalf);
+    }
+    DepthMap crop{Plane(128, 128), textures::WrapMode::Clamp};
+    for (int j = 0; j < 128; ++j)
+        for (int i = 0; i < 128; ++i)
+            crop.depth.at(i, j) = relief.at(i + 200, j + 150);
+    EXPECT_EQ(countWrongRatios(buildConservativeCones(crop), crop, 0), 0u);
+}
+
+TEST_F(Bake, ConesOfALarge16BitSampleEqualBruteForce) {
+    expectTrueCones(baked(sample("cobbles", "1024x1024"), "cobbles.exr", {"--encode", "ratio"}));
+}
+
+TEST_F(Bake, ConesOfAScannedReliefEqualBruteForce) {
+    const char* const given = std::getenv("RELIEVO_SHARED_DATA");
+    const std::filesystem::path data =
+        given != nullptr ? given : RELIEVO_SOURCE_DIR "/../shared/data";
+    const std::filesystem::path planks = data / "relief" / "planks-height.png";
+    if (!std::filesystem::exists(planks))
+        GTEST_SKIP() << "skipped: no file " << planks;
+    expectTrueCones(baked(planks, "planks.exr", {"--encode", "ratio"}));
+}
+
+TEST_F(Bake, FileHoldsTheMapsOfTheDepthsItStores) {
+    const std::string height = sample("noise", "48x32");
+    const DepthMap input = textures::readHeightImage(height, {}).depth;
+    for (const auto& [name, format] :
+         {std::pair{"a.exr", "float"}, {"b.exr", "half"}, {"c.png", "u16"}, {"d.tif", "u8"}}) {
+        const MapSet maps = baked(height, name, {"--format", format});
+        const DepthMap relief = textures::depthMapOf(maps);
+        EXPECT_EQ(maps.encoding, textures::ConeEncoding::Radius);
+        const Plane ratio = buildConservativeCones(relief);
+        const Derivatives derivatives = buildDerivatives(relief);
+        const Plane stored = decodeCones(*maps.find("cone"), relief.depth, maps.encoding);
+        for (std::size_t k = 0; k < ratio.texels.size(); ++k) {
+            EXPECT_NEAR(relief.depth.texels[k], input.depth.texels[k], 0.5 / 255 + 1e-6);
+            // Safe for the depths in the file, and close to as wide as they allow.
+            if (relief.depth.texels[k] > 0.0f) {
+                EXPECT_LE(stored.texels[k], ratio.texels[k]) << name;
+            }
+            EXPECT_NEAR(maps.find("dx")->texels[k], derivatives.dx.texels[k], 0.4);
+        }
+    }
+}
+
+TEST_F(Bake, DefaultFormatsLoseNothingOfA16BitImage) {
+    const std::string height = sample("wave", "64x64");
+    const DepthMap input = textures::readHeightImage(height, {}).depth;
+    EXPECT_EQ(textures::depthMapOf(baked(height, "a.exr")).depth.texels, input.depth.texels);
+    const Plane packed = textures::depthMapOf(baked(height, "a.png")).depth;
+    for (std::size_t k = 0; k < packed.texels.size(); ++k)
+        EXPECT_NEAR(packed.texels[k], input.depth.texels[k], 1e-7);
+}
+
+TEST_F(Bake, OptionsReachTheFile) {
+    const std::string height = sample("bricks", "40x30");
+    const MapSet maps = baked(height, "a.exr",
+                              {"--maps", "normal,cone,depth", "--wrap", "mirror", "--encode",
+                               "ratio", "--method", "levels", "--normal-scale", "0.25"});
+    EXPECT_EQ(maps.wrap, textures::WrapMode::Mirror);
+    EXPECT_EQ(maps.encoding, textures::ConeEncoding::Ratio);
+    EXPECT_EQ(maps.attributes.at("relievo:method"), "levels");
+    EXPECT_EQ(maps.attributes.at("relievo:normal-scale"), "0.25");
+    EXPECT_EQ(maps.find("dx"), nullptr);
+    EXPECT_NE(maps.find("nz"), nullptr);
+    const MapSet inverted = baked(height, "b.exr", {"--input", "depth", "--maps", "depth"});
+    for (std::size_t k = 0; k < inverted.find("depth")->texels.size(); ++k)
+        EXPECT_NEAR(inverted.find("depth")->texels[k], 1.0f - maps.find("depth")->texels[k], 1e-6);
+    EXPECT_NE(inverted.source, maps.source);
+}
+
+TEST_F(Bake, SameBytesForOneAndTwoThreads) {
+    const std::string height = sample("blocks", "200x130");
+    for (const std::string extension : {".exr", ".png", ".tif"}) {
+        baked(height, "one" + extension, {"--threads", "1"});
+        baked(height, "two" + extension, {"--threads", "2"});
+        EXPECT_EQ(tests::readBytes(folder.file("one" + extension)),
+                  tests::readBytes(folder.file("two" + extension)));
+    }
+}
+
+TEST_F(Bake, StagesAreToldUnlessQuiet) {
+    const std::string height = sample("wave", "32x32");
+    const ProcessResult loud = bake({"relief", height, "-o", folder.file("a.exr")});
+    for (const char* stage : {"read ", "slopes ", "cones ", "write ", "1024 texels"})
+        EXPECT_THAT(loud.output, HasSubstr(stage));
+    const ProcessResult quiet = bake({"relief", height, "-o", folder.file("a.exr"), "--quiet"});
+    EXPECT_EQ(quiet.output + quiet.errors, "");
+}
+
+TEST_F(Bake, WarnsWhenAPackedFileNarrowsCones) {
+    const std::string height = sample("ridge", "64x64");
+    const ProcessResult result =
+        bake({"relief", height, "-o", folder.file("a.png"), "--encode", "ratio"});
+    EXPECT_EQ(result.exitStatus, 0);
+    EXPECT_THAT(result.errors, HasSubstr("note: "));
+    EXPECT_THAT(result.errors, HasSubstr("wider than 1"));
+}
+
+TEST_F(Bake, InfoTellsMapFilesAndImages) {
+    const std::string height = sample("wave", "32x16");
+    baked(height, "a.exr", {"--wrap", "clamp"});
+    const auto maps = nlohmann::json::parse(bake({"info", folder.file("a.exr"), "--json"}).output);
+    EXPECT_EQ(maps["kind"], "relief");
+    EXPECT_EQ(maps["width"], 32);
+    EXPECT_EQ(maps["height"], 16);
+    EXPECT_EQ(maps["format"], "float");
+    EXPECT_EQ(maps["wrap"], "clamp");
+    EXPECT_EQ(maps["encoding"], "radius");
+    EXPECT_EQ(maps["attributes"]["relievo:guarantee"], "texel");
+    EXPECT_EQ(maps["channels"].size(), 4u);
+    EXPECT_THAT(bake({"info", folder.file("a.exr")}).output, HasSubstr("relievo:guarantee"));
+    const auto image = nlohmann::json::parse(bake({"info", height, "--json"}).output);
+    EXPECT_EQ(image["kind"], "image");
+    EXPECT_EQ(image["format"], "u16");
+    EXPECT_EQ(image["channels"].size(), 1u);
+}
+
+TEST_F(Bake, SampleListsAndWritesHeightAndColours) {
+    EXPECT_THAT(bake({"sample", "--list"}).output, HasSubstr("cobbles"));
+    const ProcessResult result = bake({"sample", "bricks", "-o", folder.file("h.exr"), "--size",
+                                       "20x10", "--seed", "4", "--albedo", folder.file("c.png")});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_THAT(folder.list(), ElementsAre("c.png", "h.exr"));
+    const DepthMap relief = textures::readHeightImage(folder.file("h.exr"), {}).depth;
+    EXPECT_EQ(relief.width(), 20);
+    EXPECT_EQ(relief.height(), 10);
+}
+
+TEST_F(Bake, SmallestAndLongestMaps) {
+    for (const char* size : {"1x1", "1x37", "128x2"}) {
+        const MapSet maps = baked(sample("noise", size), std::string(size) + ".exr");
+        EXPECT_EQ(maps.channels.size(), 4u);
+    }
+}
+
+}  // namespace
+}  // namespace relievo::preprocess
