@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,6 @@
 // relievo-bake: from height images to the maps that shaders search.
+#include <CLI/CLI.hpp>
+
 #include "commands/program.h"
 #include "preprocess/info_command.h"
 #include "preprocess/relief_command.h"

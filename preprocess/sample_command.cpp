@@ -1,6 +1,7 @@
 #include "preprocess/sample_command.h"
 
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,7 @@
 // relievo-view: shows a relief with one or several techniques, next to the exact picture, in a
 // window or without one.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "commands/program.h"
 #include "materials/technique_registry.h"

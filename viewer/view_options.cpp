@@ -1,6 +1,7 @@
 #include "viewer/view_options.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <charconv>

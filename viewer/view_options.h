@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <map>
@@ -9,6 +8,10 @@
 
 #include "gl/context.h"
 #include "viewer/camera.h"
+
+namespace CLI {
+class App;
+}
 
 namespace relievo::viewer {
 
