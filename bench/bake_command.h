@@ -16,14 +16,14 @@ class BakeCommand {
     BakeCommand& operator=(const BakeCommand&) = delete;
 
     /// Whether the parsed command line asks for it.
-    [[nodiscard]] bool chosen() const { return m_command->parsed(); }
+    [[nodiscard]] bool chosen() const { return command_->parsed(); }
     /// Measures, prints the table and writes the files that were asked for.
     void run() const;
 
   private:
-    CLI::App* m_command;
-    BakeBenchmarkOptions m_options;
-    ReportPaths m_paths;
+    CLI::App* command_;
+    BakeBenchmarkOptions options_;
+    ReportPaths paths_;
 };
 
 }  // namespace relievo::bench

@@ -10,29 +10,29 @@
 namespace relievo::bench {
 
 RenderCommand::RenderCommand(CLI::App& app)
-    : m_command(app.add_subcommand(
+    : command_(app.add_subcommand(
           "render", "Time, work and error of every search technique and step budget")) {
     for (const materials::Technique& technique : materials::techniques())
-        m_options.techniques.emplace_back(technique.name);
-    addSamplesOption(*m_command, m_options.samples);
-    addNamesOption(*m_command, "--techniques", m_options.techniques, "Search techniques");
+        options_.techniques.emplace_back(technique.name);
+    addSamplesOption(*command_, options_.samples);
+    addNamesOption(*command_, "--techniques", options_.techniques, "Search techniques");
     const auto add = [this](const char* name, auto& value, const char* description) {
-        return m_command->add_option(name, value, description)->capture_default_str();
+        return command_->add_option(name, value, description)->capture_default_str();
     };
-    add("--elevations", m_options.elevations, "Degrees of the rays above the surface")
+    add("--elevations", options_.elevations, "Degrees of the rays above the surface")
         ->delimiter(',')
         ->check(CLI::Range(0.001, 90.0));
-    add("--steps", m_options.steps, "Step budgets, for techniques that have one")
+    add("--steps", options_.steps, "Step budgets, for techniques that have one")
         ->delimiter(',')
         ->check(CLI::Range(1, 4096));
-    add("--size", m_options.size, "Texels of the reliefs on a side")->check(CLI::Range(1, 8192));
-    add("--frame", m_options.frame, "Pixels of the frames on a side")->check(CLI::Range(1, 8192));
-    add("--depth-scale", m_options.depthScale, "Depth of the reliefs in tile widths")
+    add("--size", options_.size, "Texels of the reliefs on a side")->check(CLI::Range(1, 8192));
+    add("--frame", options_.frame, "Pixels of the frames on a side")->check(CLI::Range(1, 8192));
+    add("--depth-scale", options_.depthScale, "Depth of the reliefs in tile widths")
         ->check(CLI::Range(1e-6, 1e3));
-    add("--azimuth", m_options.azimuth, "Degrees of the rays around the surface's normal")
+    add("--azimuth", options_.azimuth, "Degrees of the rays around the surface's normal")
         ->check(CLI::Range(-360.0, 360.0));
-    addRepeatOption(*m_command, m_options.repeat);
-    m_command->add_option("--backend", m_options.backend, "OpenGL through osmesa, egl or glfw")
+    addRepeatOption(*command_, options_.repeat);
+    command_->add_option("--backend", options_.backend, "OpenGL through osmesa, egl or glfw")
         ->type_name("NAME")
         ->default_str("osmesa")
         ->transform(CLI::CheckedTransformer(
@@ -40,35 +40,35 @@ RenderCommand::RenderCommand(CLI::App& app)
                                                            {"egl", gl::Backend::Egl},
                                                            {"glfw", gl::Backend::Glfw}})
                         .description(""));
-    m_command->add_option("--plot-against", m_plotAgainst, "Plot errors against time or fetches")
+    command_->add_option("--plot-against", plotAgainst_, "Plot errors against time or fetches")
         ->type_name("NAME")
         ->default_str("time")
         ->transform(CLI::CheckedTransformer(
                         std::map<std::string, PlotAgainst>{{"time", PlotAgainst::Time},
                                                            {"fetches", PlotAgainst::Fetches}})
                         .description(""));
-    addReportOptions(*m_command, m_paths);
-    m_command->footer(
+    addReportOptions(*command_, paths_);
+    command_->footer(
         "Examples:\n"
         "  relievo-bench render --samples noise --techniques relief,cone --elevations 45,15\n"
         "  relievo-bench render --steps 16,64,256 --json render.json --plot render.svg");
 }
 
 void RenderCommand::run() const {
-    ReportFiles files(m_paths);
-    const RenderReport report = measureRender(m_options);
+    ReportFiles files(paths_);
+    const RenderReport report = measureRender(options_);
     const ReportTable table = renderTable(report.measurements);
     commands::answer(formatTable(table));
     files.write({{"benchmark", "render"},
                  {"version", textures::kVersion},
                  {"renderer", report.renderer},
-                 {"size", m_options.size},
-                 {"frame", m_options.frame},
-                 {"depthScale", m_options.depthScale},
-                 {"azimuth", m_options.azimuth},
-                 {"repeat", m_options.repeat},
+                 {"size", options_.size},
+                 {"frame", options_.frame},
+                 {"depthScale", options_.depthScale},
+                 {"azimuth", options_.azimuth},
+                 {"repeat", options_.repeat},
                  {"rows", rowsAsJson(table)}},
-                renderPlot(report.measurements, m_plotAgainst));
+                renderPlot(report.measurements, plotAgainst_));
 }
 
 }  // namespace relievo::bench

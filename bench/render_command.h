@@ -16,15 +16,15 @@ class RenderCommand {
     RenderCommand& operator=(const RenderCommand&) = delete;
 
     /// Whether the parsed command line asks for it.
-    [[nodiscard]] bool chosen() const { return m_command->parsed(); }
+    [[nodiscard]] bool chosen() const { return command_->parsed(); }
     /// Measures, prints the table and writes the files that were asked for.
     void run() const;
 
   private:
-    CLI::App* m_command;
-    RenderBenchmarkOptions m_options;
-    PlotAgainst m_plotAgainst = PlotAgainst::Time;
-    ReportPaths m_paths;
+    CLI::App* command_;
+    RenderBenchmarkOptions options_;
+    PlotAgainst plotAgainst_ = PlotAgainst::Time;
+    ReportPaths paths_;
 };
 
 }  // namespace relievo::bench

@@ -16,21 +16,21 @@ ReportFiles::ReportFiles(const ReportPaths& paths) {
                 fmt::format("--plot {}: plots are SVG, expected a name that ends in .svg",
                             paths.plot.string()));
         requireGnuplot();
-        m_plot.emplace(paths.plot);
+        plot_.emplace(paths.plot);
     }
     if (!paths.json.empty())
-        m_json.emplace(paths.json);
+        json_.emplace(paths.json);
 }
 
 void ReportFiles::write(const nlohmann::ordered_json& report, const Plot& plot) {
-    if (m_json) {
+    if (json_) {
         const std::string text = report.dump(2) + "\n";
-        m_json->write(std::as_bytes(std::span(text)));
-        m_json->commit();
+        json_->write(std::as_bytes(std::span(text)));
+        json_->commit();
     }
-    if (m_plot) {
-        drawPlot(plot, m_plot->path());
-        m_plot->commit();
+    if (plot_) {
+        drawPlot(plot, plot_->path());
+        plot_->commit();
     }
 }
 

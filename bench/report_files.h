@@ -27,8 +27,8 @@ class ReportFiles {
     void write(const nlohmann::ordered_json& report, const Plot& plot);
 
   private:
-    std::optional<textures::AtomicFile> m_json;
-    std::optional<textures::AtomicFile> m_plot;
+    std::optional<textures::AtomicFile> json_;
+    std::optional<textures::AtomicFile> plot_;
 };
 
 }  // namespace relievo::bench

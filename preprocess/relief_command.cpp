@@ -276,7 +276,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         "Examples:\n"
         "  relievo-bake relief bricks.png -o bricks.exr\n"
         "  relievo-bake relief rock.tif -o rock.png --wrap mirror --format u8\n"
-        "  relievo-bake relief scan.exr -o scan.exr.exr --input depth --channel Z --maps "
+        "  relievo-bake relief scan.exr -o maps.exr --input depth --channel Z --maps "
         "depth,normal");
     return command;
 }

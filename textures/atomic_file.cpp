@@ -79,22 +79,22 @@ void flushFolder(const std::filesystem::path& target) noexcept {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path target)
-    : m_target(std::move(target)), m_path(temporaryPath(m_target)) {
+    : target_(std::move(target)), path_(temporaryPath(target_)) {
     std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(m_target, ignored);
-    if (m_target.filename().empty() || std::filesystem::is_directory(status))
-        failToWrite(m_target, "it is a folder, expected the name of a file");
+    const std::filesystem::file_status status = std::filesystem::status(target_, ignored);
+    if (target_.filename().empty() || std::filesystem::is_directory(status))
+        failToWrite(target_, "it is a folder, expected the name of a file");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        failToWrite(m_target, "it exists and is no regular file");
-    m_slot = registerTemporaryName(m_path.string());
-    if (m_slot < 0)
-        failToWrite(m_target, "too many files are being written, or its path is too long");
-    m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (m_descriptor < 0) {
+        failToWrite(target_, "it exists and is no regular file");
+    slot_ = registerTemporaryName(path_.string());
+    if (slot_ < 0)
+        failToWrite(target_, "too many files are being written, or its path is too long");
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
         const int error = errno;
-        releaseTemporaryName(m_slot);
-        m_slot = -1;
-        failToWrite(m_target, error);
+        releaseTemporaryName(slot_);
+        slot_ = -1;
+        failToWrite(target_, error);
     }
 }
 
@@ -104,31 +104,31 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(m_descriptor, bytes.data(), bytes.size());
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written >= 0)
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         else if (errno != EINTR)
-            failToWrite(m_target, errno);
+            failToWrite(target_, errno);
     }
 }
 
 void AtomicFile::commit() {
-    if (::fsync(m_descriptor) != 0)
-        failToWrite(m_target, errno);
-    if (::close(std::exchange(m_descriptor, -1)) != 0)
-        failToWrite(m_target, errno);
-    if (::rename(m_path.c_str(), m_target.c_str()) != 0)
-        failToWrite(m_target, errno);
-    releaseTemporaryName(std::exchange(m_slot, -1));
-    flushFolder(m_target);
+    if (::fsync(descriptor_) != 0)
+        failToWrite(target_, errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0)
+        failToWrite(target_, errno);
+    if (::rename(path_.c_str(), target_.c_str()) != 0)
+        failToWrite(target_, errno);
+    releaseTemporaryName(std::exchange(slot_, -1));
+    flushFolder(target_);
 }
 
 void AtomicFile::discard() noexcept {
-    if (m_descriptor >= 0)
-        ::close(std::exchange(m_descriptor, -1));
-    if (m_slot >= 0) {
-        ::unlink(m_path.c_str());
-        releaseTemporaryName(std::exchange(m_slot, -1));
+    if (descriptor_ >= 0)
+        ::close(std::exchange(descriptor_, -1));
+    if (slot_ >= 0) {
+        ::unlink(path_.c_str());
+        releaseTemporaryName(std::exchange(slot_, -1));
     }
 }
 

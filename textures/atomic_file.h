@@ -20,7 +20,7 @@ class AtomicFile {
 
     /// The temporary file, empty at first, for code that writes by name. It ends like the target,
     /// because image libraries choose the format by it.
-    [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
     /// Appends `bytes`. Throws InputError with the system's reason, such as a full disk.
     void write(std::span<const std::byte> bytes);
@@ -32,10 +32,10 @@ class AtomicFile {
   private:
     void discard() noexcept;
 
-    std::filesystem::path m_target;
-    std::filesystem::path m_path;
-    int m_slot = -1;
-    int m_descriptor = -1;
+    std::filesystem::path target_;
+    std::filesystem::path path_;
+    int slot_ = -1;
+    int descriptor_ = -1;
 };
 
 /// Removes the temporary files of all live AtomicFile objects of the process. Async-signal-safe:

@@ -123,40 +123,40 @@ struct ImageReader::Input {
     }
 };
 
-ImageReader::ImageReader(std::filesystem::path file, double largest) : m_file(std::move(file)) {
-    checkRegularFile(m_file);
+ImageReader::ImageReader(std::filesystem::path file, double largest) : file_(std::move(file)) {
+    checkRegularFile(file_);
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
-    m_input = std::make_unique<Input>();
-    m_input->image = OIIO::ImageInput::open(m_file.string(), &hints);
-    if (!m_input->image)
-        reject(m_file,
+    input_ = std::make_unique<Input>();
+    input_->image = OIIO::ImageInput::open(file_.string(), &hints);
+    if (!input_->image)
+        reject(file_,
                fmt::format("is not an image that can be read{}, expected PNG, TIFF, EXR, JPEG "
                            "or the like",
                            openingFailure()));
-    const OIIO::ImageSpec& spec = m_input->image->spec();
-    checkShape(m_file, spec, largest);
-    m_info = describe(spec);
+    const OIIO::ImageSpec& spec = input_->image->spec();
+    checkShape(file_, spec, largest);
+    info_ = describe(spec);
 }
 
 ImageReader::~ImageReader() = default;
 
 std::vector<Plane> ImageReader::readChannels(int first, int count) {
     assert(first >= 0 && count >= 1 &&
-           first + count <= static_cast<int>(m_info.channelNames.size()));
-    std::vector<Plane> planes(static_cast<std::size_t>(count), Plane(m_info.width, m_info.height));
+           first + count <= static_cast<int>(info_.channelNames.size()));
+    std::vector<Plane> planes(static_cast<std::size_t>(count), Plane(info_.width, info_.height));
     bool good = false;
-    if (m_info.type == SampleType::U8)
-        good = m_input->read<std::uint8_t>(first, planes, OIIO::TypeDesc::UINT8, 255.0);
-    else if (m_info.type == SampleType::U16)
-        good = m_input->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
+    if (info_.type == SampleType::U8)
+        good = input_->read<std::uint8_t>(first, planes, OIIO::TypeDesc::UINT8, 255.0);
+    else if (info_.type == SampleType::U16)
+        good = input_->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
     else
-        good = m_input->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
+        good = input_->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
     // The TIFF reader fills strips that the file lacks with zeros, and has a message but returns
     // true.
-    if (!good || m_input->image->has_error())
-        reject(m_file, fmt::format("is truncated or damaged ({}), expected a whole image",
-                                   reason(m_input->image->geterror())));
+    if (!good || input_->image->has_error())
+        reject(file_, fmt::format("is truncated or damaged ({}), expected a whole image",
+                                  reason(input_->image->geterror())));
     return planes;
 }
 

@@ -40,7 +40,7 @@ class ImageReader {
     ImageReader(const ImageReader&) = delete;
     ImageReader& operator=(const ImageReader&) = delete;
 
-    [[nodiscard]] const ImageInfo& info() const noexcept { return m_info; }
+    [[nodiscard]] const ImageInfo& info() const noexcept { return info_; }
 
     /// The samples of `count` channels from `first` on, decoded in one pass; 8/16-bit integers as
     /// code/maximum, rounded once. Throws InputError when the file is truncated or damaged.
@@ -49,9 +49,9 @@ class ImageReader {
   private:
     struct Input;
 
-    std::filesystem::path m_file;
-    std::unique_ptr<Input> m_input;
-    ImageInfo m_info;
+    std::filesystem::path file_;
+    std::unique_ptr<Input> input_;
+    ImageInfo info_;
 };
 
 }  // namespace relievo::textures

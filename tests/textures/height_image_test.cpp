@@ -34,15 +34,15 @@ class HeightImageTest : public TemporaryFolder {
 
     /// Reads as depth, so that the values are those of the file, and collects the notices.
     Plane read(const std::filesystem::path& path, const std::string& channel = "") {
-        m_notices.clear();
+        notices_.clear();
         HeightImageOptions options;
         options.isDepth = true;
         options.channel = channel;
-        options.notice = [this](const std::string& notice) { m_notices.push_back(notice); };
+        options.notice = [this](const std::string& notice) { notices_.push_back(notice); };
         return readHeightImage(path, options).depth.depth;
     }
 
-    std::vector<std::string> m_notices;
+    std::vector<std::string> notices_;
 };
 
 Plane codes(int width, int height, float maximum, std::uint32_t seed) {
@@ -119,7 +119,7 @@ TEST_F(HeightImageTest, EqualColoursAreTakenSilently) {
                   alone.texels);
         EXPECT_EQ(read(writeFile(name, {grey, grey, grey, alpha}, StorageFormat::U8)).texels,
                   alone.texels);
-        EXPECT_TRUE(m_notices.empty());
+        EXPECT_TRUE(notices_.empty());
     }
 }
 
@@ -128,7 +128,7 @@ TEST_F(HeightImageTest, AlphaIsUsedOnlyWhenAskedFor) {
     const auto path = writeFile("a.png", {grey, alpha}, StorageFormat::U8);
     const Plane alone = read(writeFile("b.png", {grey}, StorageFormat::U8));
     EXPECT_EQ(read(path).texels, alone.texels);
-    EXPECT_TRUE(m_notices.empty());
+    EXPECT_TRUE(notices_.empty());
     const Plane transparency = read(writeFile("c.png", {alpha}, StorageFormat::U8));
     EXPECT_EQ(read(path, "A").texels, transparency.texels);
     EXPECT_EQ(read(path, "1").texels, transparency.texels);
@@ -138,9 +138,9 @@ TEST_F(HeightImageTest, UnequalColoursGiveTheirLuminanceWithANotice) {
     const Plane red(2, 2, 1.0f), green(2, 2, 0.5f), blue(2, 2, 0.25f);
     const auto path = writeFile("a.exr", {red, green, blue}, StorageFormat::Float, {"R", "G", "B"});
     EXPECT_FLOAT_EQ(read(path).texels[0], 0.2126f + 0.7152f * 0.5f + 0.0722f * 0.25f);
-    EXPECT_THAT(m_notices, ElementsAre(HasSubstr("Rec. 709 luminance")));
+    EXPECT_THAT(notices_, ElementsAre(HasSubstr("Rec. 709 luminance")));
     EXPECT_EQ(read(path, "G").texels, green.texels);
-    EXPECT_TRUE(m_notices.empty());
+    EXPECT_TRUE(notices_.empty());
 }
 
 TEST_F(HeightImageTest, ChannelsAreFoundByNameWhateverTheirOrder) {
@@ -189,7 +189,7 @@ TEST_F(HeightImageTest, ATurnedPhotographIsNoticed) {
     const std::array<std::uint8_t, 6> pixels{};
     ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, pixels.data()) && output->close());
     EXPECT_EQ(read(file("a.tif")).width, 3);
-    EXPECT_THAT(m_notices, ElementsAre(HasSubstr("orientation 6")));
+    EXPECT_THAT(notices_, ElementsAre(HasSubstr("orientation 6")));
 }
 
 }  // namespace

@@ -17,23 +17,23 @@ class TemporaryFolder : public testing::Test {
   protected:
     void SetUp() override {
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        m_folder = std::filesystem::temp_directory_path() /
-                   (std::string("relievo-") + test->test_suite_name() + "-" + test->name() + "-" +
-                    std::to_string(::getpid()));
-        std::filesystem::create_directories(m_folder);
+        folder_ = std::filesystem::temp_directory_path() /
+                  (std::string("relievo-") + test->test_suite_name() + "-" + test->name() + "-" +
+                   std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
     }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
-        return m_folder / name;
+        return folder_ / name;
     }
-    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] long fileCount() const {
-        return std::distance(std::filesystem::directory_iterator(m_folder), {});
+        return std::distance(std::filesystem::directory_iterator(folder_), {});
     }
 
   private:
-    std::filesystem::path m_folder;
+    std::filesystem::path folder_;
 };
 
 inline std::string readBytes(const std::filesystem::path& file) {
