@@ -24,7 +24,7 @@ constexpr TechniqueParameter kReliefParameters[] = {
 };
 constexpr TechniqueParameter kConeParameters[] = {
     {"cone-steps", "relievoConeSteps", "cones that a ray may cross before the search gives up", 1,
-     4096, 1024, true, true},
+     16384, 2048, true, true},
     {"tolerance", "relievoTolerance", "depth above the surface that counts as a hit, of 1", 1e-7,
      0.1, 1.0 / 65536, false, false},
     {"refinements", "relievoConeRefinements", "halvings of a step that pierced the surface", 0, 32,
