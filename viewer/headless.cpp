@@ -27,19 +27,21 @@ struct FileResult {
 
 class HeadlessRun {
   public:
-    HeadlessRun(SceneRenderer& renderer, const ViewOptions& options)
+    // `relief` names the relief on the sheet and in the raw errors; "" when there is only one.
+    HeadlessRun(SceneRenderer& renderer, const ViewOptions& options, std::string relief)
         : renderer_(renderer),
           options_(options),
+          relief_(std::move(relief)),
           view_(makeView(options,
                          static_cast<float>(options.width) / static_cast<float>(options.height))),
           target_(options.width, options.height, std::array<GLenum, 1>{GL_RGBA8}) {}
 
-    FileResult run(const std::string& label) {
+    FileResult run() {
         for (const std::string& name : options_.techniques) {
             if (name == kReferenceName)
-                addReference(label);
+                addReference();
             else
-                addTechnique(materials::findTechnique(name), label);
+                addTechnique(materials::findTechnique(name));
         }
         return std::move(result_);
     }
@@ -63,23 +65,28 @@ class HeadlessRun {
         return picture;
     }
 
-    void addReference(const std::string& label) {
+    void addReference() {
         renderer_.drawReference(reference(), view_, target_);
         result_.pictures.push_back(
-            {readTarget(), label + "exact reference", "first hits in double precision"});
+            {readTarget(), withRelief("exact reference", " "), "first hits in double precision"});
         if (!options_.errorFile.empty())
-            result_.heatMaps.push_back(heatMapCell());
+            result_.heatMaps.push_back(explanationCell());
+    }
+
+    std::string withRelief(std::string_view text, std::string_view separator) const {
+        return relief_.empty() ? std::string(text)
+                               : fmt::format("{}{}{}", relief_, separator, text);
     }
 
     // Under the exact picture there is no error to show: the place serves the scale's explanation.
-    SheetCell heatMapCell() const {
+    SheetCell explanationCell() const {
         Picture empty(options_.width, options_.height);
         for (std::size_t k = 0; k < empty.rgba.size(); ++k)
             empty.rgba[k] = k % 4 == 3 ? 1.0f : 0.13f;
         return {empty, "distance from the exact hit", "along the ray; wrong: by over a texel"};
     }
 
-    void addTechnique(const materials::Technique& technique, const std::string& label) {
+    void addTechnique(const materials::Technique& technique) {
         materials::ReliefMaterial material = makeConfiguredMaterial(renderer_, technique, options_);
         renderer_.draw(material, view_, target_);
         const MeasuredFrame frame =
@@ -90,13 +97,12 @@ class HeadlessRun {
         if (work.exhausted > 0)
             counts += fmt::format(", {} ran out", work.exhausted);
         commands::say(fmt::format("  {}: {}", technique.title, counts));
-        result_.pictures.push_back({readTarget(), label + std::string(technique.title), counts});
+        result_.pictures.push_back({readTarget(), withRelief(technique.title, " "), counts});
         if (!options_.errorFile.empty())
-            addErrors(technique, frame, label);
+            addErrors(technique, frame);
     }
 
-    void addErrors(const materials::Technique& technique, const MeasuredFrame& frame,
-                   const std::string& label) {
+    void addErrors(const materials::Technique& technique, const MeasuredFrame& frame) {
         const textures::DepthMap& map = renderer_.depthMap();
         const auto comparisons = compareFrames(frame, reference(), map, view_.depthScale);
         const double texel = 1.0 / map.width();
@@ -110,13 +116,13 @@ class HeadlessRun {
         const ErrorImage image = makeErrorImage(frame, reference(), map, view_.depthScale);
         result_.heatMaps.push_back(
             {heatMap(image), fmt::format("error of {}", technique.title), summary});
-        for (NamedPlane& plane : namedPlanes(image, label.empty() ? std::string(technique.name)
-                                                                  : label + technique.name.data()))
+        for (NamedPlane& plane : namedPlanes(image, withRelief(technique.name, ".")))
             result_.errors.push_back(std::move(plane));
     }
 
     SceneRenderer& renderer_;
     const ViewOptions& options_;
+    std::string relief_;
     View view_;
     gl::Framebuffer target_;
     std::optional<ReferenceFrame> reference_;
@@ -143,6 +149,10 @@ Picture assemble(std::vector<FileResult>& results, bool withErrors) {
 }  // namespace
 
 void runHeadless(const ViewOptions& options) {
+    // Outputs that cannot be written are found out before the work, not after it.
+    requirePictureFile(options.output);
+    if (!options.errorFile.empty())
+        requireChannelFile(options.errorFile);
     const auto context = gl::createContext(options.backend);
     commands::say(context->description());
     std::vector<FileResult> results;
@@ -152,11 +162,11 @@ void runHeadless(const ViewOptions& options) {
         commands::say(fmt::format("{}: {}x{}, {}", file.string(), renderer->depthMap().width(),
                                   renderer->depthMap().height(),
                                   textures::wrapModeName(renderer->depthMap().wrap)));
-        const std::string label = options.files.size() > 1 ? file.stem().string() + " " : "";
-        results.push_back(HeadlessRun(*renderer, options).run(label));
+        const std::string relief = options.files.size() > 1 ? file.stem().string() : "";
+        results.push_back(HeadlessRun(*renderer, options, relief).run());
         std::ranges::move(results.back().errors, std::back_inserter(errors));
     }
-    if (!errors.empty()) {
+    if (!options.errorFile.empty()) {
         writeChannels(options.errorFile, errors);
         commands::say(fmt::format("wrote {}", options.errorFile.string()));
     }

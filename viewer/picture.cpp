@@ -1,24 +1,36 @@
 #include "viewer/picture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 
+#include "textures/atomic_file.h"
+#include "textures/file_extension.h"
 #include "textures/image_writer.h"
-#include "textures/input_error.h"
 #include "textures/picture_file.h"
 
 namespace relievo::viewer {
+
+namespace {
+
+// Half floats keep more than 8 bits of a picture, and a viewer of EXR files shows them.
+textures::StorageFormat pictureFormat(const std::filesystem::path& file) {
+    return textures::lowerExtension(file) == ".exr" ? textures::StorageFormat::Half
+                                                    : textures::StorageFormat::U8;
+}
+
+}  // namespace
+
+void requirePictureFile(const std::filesystem::path& file) {
+    textures::requireExtensionFor(file, pictureFormat(file));
+    const textures::AtomicFile probe(file);
+}
 
 void writePicture(const std::filesystem::path& file, const Picture& picture) {
     std::vector<textures::Plane> planes(3, textures::Plane(picture.width, picture.height));
     for (std::size_t k = 0; k < planes[0].texels.size(); ++k)
         for (std::size_t c = 0; c < 3; ++c)
             planes[c].texels[k] = picture.rgba[4 * k + c];
-    const bool exr = file.extension() == ".exr";
-    textures::writePicture(file, planes,
-                           exr ? textures::StorageFormat::Half : textures::StorageFormat::U8);
+    textures::writePicture(file, planes, pictureFormat(file));
 }
 
 Picture readPicture(const std::filesystem::path& file) {
@@ -40,12 +52,13 @@ void paste(Picture& target, const Picture& source, int x, int y) {
         std::copy_n(source.pixel(0, row), 4 * source.width, target.pixel(x, y + row));
 }
 
+void requireChannelFile(const std::filesystem::path& file) {
+    textures::requireExtensionFor(file, textures::StorageFormat::Float);
+    const textures::AtomicFile probe(file);
+}
+
 void writeChannels(const std::filesystem::path& file, const std::vector<NamedPlane>& planes) {
-    if (file.extension() != ".exr")
-        throw textures::InputError(
-            fmt::format("{}: raw numbers with named channels need OpenEXR, expected a name that "
-                        "ends in .exr",
-                        file.string()));
+    textures::requireExtensionFor(file, textures::StorageFormat::Float);
     textures::ImageContent content;
     content.format = textures::StorageFormat::Float;
     for (const NamedPlane& named : planes) {

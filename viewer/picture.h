@@ -36,6 +36,9 @@ struct Picture {
 /// textures::InputError.
 void writePicture(const std::filesystem::path& file, const Picture& picture);
 
+/// Throws what writePicture would throw for a file that cannot be written, without writing it.
+void requirePictureFile(const std::filesystem::path& file);
+
 /// Reads a colour or grey image (an albedo) as sRGB-encoded values. Throws textures::InputError.
 Picture readPicture(const std::filesystem::path& file);
 
@@ -50,5 +53,8 @@ struct NamedPlane {
 
 /// Writes planes of one size as a float EXR with named channels. Throws textures::InputError.
 void writeChannels(const std::filesystem::path& file, const std::vector<NamedPlane>& planes);
+
+/// Throws what writeChannels would throw for a file that cannot be written, without writing it.
+void requireChannelFile(const std::filesystem::path& file);
 
 }  // namespace relievo::viewer

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "commands/program.h"
 #include "materials/technique_registry.h"
@@ -138,6 +139,21 @@ void checkTechniques(const ViewOptions& options) {
             materials::findTechnique(name);
 }
 
+// Raw errors are channels named after techniques, and after the files where there are several.
+void checkErrorOutput(const ViewOptions& options) {
+    if (options.errorFile.empty())
+        return;
+    if (std::ranges::all_of(options.techniques,
+                            [](const std::string& name) { return name == kReferenceName; }))
+        throw UsageError("--error: the exact picture has no error, expected a technique");
+    std::set<std::string> stems;
+    for (const std::filesystem::path& file : options.files)
+        if (!stems.insert(file.stem().string()).second)
+            throw UsageError(
+                fmt::format("--error: two files are called {}, expected different names",
+                            file.stem().string()));
+}
+
 // Every --set must reach at least one technique that is shown.
 void checkParameters(const ViewOptions& options) {
     for (const ParameterSetting& setting : options.parameters) {
@@ -203,6 +219,7 @@ void checkViewOptions(const ViewOptions& options) {
     if (!(options.camera.distance > 0))
         throw UsageError("--camera: expected a distance above 0");
     checkTechniques(options);
+    checkErrorOutput(options);
     checkParameters(options);
 }
 
