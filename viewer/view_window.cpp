@@ -35,8 +35,9 @@ constexpr double kAnimationTick = 1 / 60.0;
 constexpr double kIdleTick = 60.0;
 constexpr double kAnimationPeriod = 4.0;  // seconds from flat to flat
 constexpr float kDividerReach = 8.0f;     // pixels around the line that take hold of it
-// After an event ImGui needs some frames until all widgets show its consequences.
-constexpr int kFramesToSettle = 3;
+// After an event ImGui needs some frames until all widgets show its consequences: a list opens on
+// the release of the button, one frame after the press, and hides until its size is known.
+constexpr int kFramesToSettle = 8;
 
 struct KeyPress {
     int key;

@@ -1,0 +1,227 @@
+// relievo-view as a process: what it prints, writes and returns.
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+
+#include "materials/technique_registry.h"
+#include "tests/commands/process.h"
+#include "tests/viewer/map_fixture.h"
+#include "viewer/picture.h"
+
+namespace relievo::tests {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::StartsWith;
+
+class ViewCommandTest : public testing::Test {
+  protected:
+    static ProcessResult run(std::vector<std::string> words, const ProcessOptions& options = {}) {
+        words.insert(words.begin(), RELIEVO_VIEW);
+        return runProcess(words, options);
+    }
+
+    /// A headless run of small pictures of `map`, written to `output`.
+    static ProcessResult render(const std::string& map, const std::string& output,
+                                const std::vector<std::string>& options = {}) {
+        std::vector<std::string> words = {map, "--headless", "-o", output, "--size", "96x80"};
+        words.insert(words.end(), options.begin(), options.end());
+        return run(words);
+    }
+
+    std::string map() {
+        const std::string file = inputs_.file("waves.exr");
+        if (!std::filesystem::exists(file))
+            writeSampleMaps(file, "wave", 32, 32);
+        return file;
+    }
+
+    /// A run must have failed with `status`, one sentence on stderr that contains `text`, and no
+    /// file in the output folder.
+    void expectFailure(const ProcessResult& result, int status, const std::string& text) {
+        EXPECT_EQ(result.exitStatus, status) << result.errors;
+        EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+        EXPECT_THAT(result.errors, AllOf(StartsWith("relievo-view: "), HasSubstr(text)));
+        EXPECT_THAT(outputs_.list(), ElementsAre());
+    }
+
+    ScratchFolder inputs_;
+    ScratchFolder outputs_;
+};
+
+TEST_F(ViewCommandTest, HelpNamesEveryOption) {
+    const ProcessResult result = run({"--help"});
+    EXPECT_EQ(result.exitStatus, 0);
+    EXPECT_EQ(result.errors, "");
+    for (const char* option :
+         {"FILE",          "--technique", "--compare", "--set",     "--mesh",
+          "--depth-scale", "--tiles",     "--camera",  "--light",   "--albedo",
+          "--size",        "--headless",  "--output",  "--error",   "--mark-exhausted",
+          "--backend",     "--list",      "--quiet",   "--version", "Examples"})
+        EXPECT_THAT(result.output, HasSubstr(option));
+}
+
+TEST_F(ViewCommandTest, ListNamesTechniquesAndParameters) {
+    const ProcessResult result = run({"--list"});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    for (const materials::Technique& technique : materials::techniques()) {
+        EXPECT_THAT(result.output, HasSubstr(std::string(technique.name) + ": "));
+        for (const materials::TechniqueParameter& parameter : technique.parameters)
+            EXPECT_THAT(result.output, HasSubstr(std::string(parameter.name) + ": "));
+    }
+    EXPECT_THAT(result.output, HasSubstr("reference"));
+}
+
+TEST_F(ViewCommandTest, OneTechniqueIsAPictureOfTheSizeAskedFor) {
+    const ProcessResult result = render(map(), outputs_.file("a.png"));
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_EQ(result.errors, "");
+    const viewer::Picture picture = viewer::readPicture(outputs_.file("a.png"));
+    EXPECT_EQ(picture.width, 96);
+    EXPECT_EQ(picture.height, 80);
+    EXPECT_THAT(outputs_.list(), ElementsAre("a.png"));
+}
+
+TEST_F(ViewCommandTest, AComparisonIsASheetWithAPictureEach) {
+    const ProcessResult result =
+        render(map(), outputs_.file("sheet.png"), {"--compare", "normal,relief,reference"});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    const viewer::Picture sheet = viewer::readPicture(outputs_.file("sheet.png"));
+    EXPECT_GE(sheet.width, 3 * 96);
+    EXPECT_LT(sheet.width, 3 * 96 + 60);
+    EXPECT_GT(sheet.height, 80);
+    EXPECT_LT(sheet.height, 2 * 80);
+}
+
+TEST_F(ViewCommandTest, ErrorsAreChannelsNamedAfterTheTechnique) {
+    const ProcessResult result =
+        render(map(), outputs_.file("sheet.png"),
+               {"--compare", "normal,cone", "--error", outputs_.file("error.exr")});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    const auto image = OIIO::ImageInput::open(outputs_.file("error.exr"));
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->spec().width, 96);
+    EXPECT_EQ(image->spec().height, 80);
+    std::vector<std::string> expected;
+    for (const char* technique : {"normal", "cone"})
+        for (const char* quantity : {"distance", "normal_angle", "verdict", "steps", "fetches"})
+            expected.push_back(std::string(technique) + "." + quantity);
+    EXPECT_THAT(image->spec().channelnames, testing::UnorderedElementsAreArray(expected));
+}
+
+TEST_F(ViewCommandTest, TheSameRunWritesTheSameBytes) {
+    for (const char* name : {"one.png", "two.png"})
+        ASSERT_EQ(
+            render(map(), outputs_.file(name), {"--compare", "relief,cone,reference"}).exitStatus,
+            0);
+    EXPECT_EQ(readBytes(outputs_.file("one.png")), readBytes(outputs_.file("two.png")));
+    // Bytes of another scene differ, so the comparison means something.
+    ASSERT_EQ(render(map(), outputs_.file("three.png"),
+                     {"--compare", "relief,cone,reference", "--depth-scale", "0.2"})
+                  .exitStatus,
+              0);
+    EXPECT_NE(readBytes(outputs_.file("one.png")), readBytes(outputs_.file("three.png")));
+}
+
+TEST_F(ViewCommandTest, QuietPrintsNothing) {
+    const ProcessResult result = render(map(), outputs_.file("a.png"), {"--quiet"});
+    EXPECT_EQ(result.exitStatus, 0);
+    EXPECT_EQ(result.output + result.errors, "");
+}
+
+TEST_F(ViewCommandTest, WrongUsageIsStatusTwo) {
+    const std::string picture = outputs_.file("a.png");
+    expectFailure(run({}), 2, "no map file");
+    expectFailure(run({map(), "--no-such-option"}), 2, "--no-such-option");
+    expectFailure(run({map(), "--headless"}), 2, "-o");
+    expectFailure(run({map(), "-o", picture}), 2, "--headless");
+    expectFailure(render(map(), picture, {"--tiles", "-1,1"}), 2, "--tiles");
+    expectFailure(render(map(), picture, {"--tiles", "1"}), 2, "--tiles");
+    expectFailure(render(map(), picture, {"--camera", "1,2,-3"}), 2, "--camera");
+    expectFailure(render(map(), picture, {"--depth-scale", "-1"}), 2, "--depth-scale");
+    expectFailure(render(map(), picture, {"--mesh", "torso"}), 2, "--mesh");
+    expectFailure(render(map(), picture, {"--set", "no-such-steps=3"}), 2, "no-such-steps");
+    expectFailure(render(map(), picture, {"--set", "cone-steps"}), 2, "cone-steps");
+    expectFailure(render(map(), picture, {"--technique", "cone", "--compare", "cone,relief"}), 2,
+                  "--compare");
+    for (const char* size : {"8x100", "100", "0x0", "axb", "100x9000", "nanx100"})
+        expectFailure(run({map(), "--headless", "-o", picture, "--size", size}), 2, "--size");
+}
+
+TEST_F(ViewCommandTest, BadInputIsStatusOneOneSentenceAndNoOutput) {
+    const std::string picture = outputs_.file("a.png");
+    expectFailure(render(inputs_.file("missing.exr"), picture), 1, "missing.exr");
+
+    const std::string text = inputs_.file("text.exr");
+    std::ofstream(text) << "no image at all";
+    expectFailure(render(text, picture), 1, "text.exr");
+
+    // A picture is no map: it has no metadata.
+    const std::string plain = inputs_.file("plain.png");
+    viewer::writePicture(plain, viewer::Picture(16, 16));
+    expectFailure(render(plain, picture), 1, "plain.png");
+
+    const std::string bare = inputs_.file("bare.exr");
+    writeSampleMaps(bare, "wave", 16, 16, ConeChannel::Missing);
+    expectFailure(render(bare, picture, {"--technique", "cone"}), 1, "cone");
+
+    const std::string truncated = inputs_.file("truncated.exr");
+    const std::string whole = readBytes(map());
+    std::ofstream(truncated, std::ios::binary) << whole.substr(0, whole.size() / 2);
+    expectFailure(render(truncated, picture), 1, "truncated.exr");
+
+    expectFailure(render(map(), picture, {"--technique", "no-such-technique"}), 1,
+                  "no-such-technique");
+    expectFailure(render(map(), picture, {"--set", "cone-steps=0"}), 1, "cone-steps");
+    expectFailure(render(map(), picture, {"--set", "cone-steps=2.5"}), 1, "cone-steps");
+    expectFailure(render(map(), picture, {"--albedo", inputs_.file("none.png")}), 1, "none.png");
+    expectFailure(render(map(), outputs_.file("no-such-folder/a.png")), 1, "no-such-folder");
+    expectFailure(render(map(), outputs_.file("a.xyz")), 1, "a.xyz");
+    expectFailure(render(map(), picture, {"--error", outputs_.file("error.png")}), 1, "error.png");
+}
+
+TEST_F(ViewCommandTest, WhatFitsStaysWithoutTheConeChannel) {
+    const std::string bare = inputs_.file("bare.exr");
+    writeSampleMaps(bare, "wave", 16, 16, ConeChannel::Missing);
+    const ProcessResult result = render(bare, outputs_.file("a.png"), {"--technique", "relief"});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+}
+
+TEST_F(ViewCommandTest, AFullDiskLeavesNothing) {
+    ProcessOptions options;
+    options.fileSizeLimit = 512;
+    const ProcessResult result =
+        run({map(), "--headless", "-o", outputs_.file("a.png"), "--size", "256x256"}, options);
+    expectFailure(result, 1, "a.png");
+}
+
+TEST_F(ViewCommandTest, AnInterruptedRunLeavesNoHalfFile) {
+    // Far more work than the time until the signal.
+    ProcessOptions options;
+    options.signalAfter = std::chrono::milliseconds(1500);
+    options.signal = SIGINT;
+    const ProcessResult result =
+        run({map(), "--headless", "-o", outputs_.file("a.png"), "--size", "4096x4096", "--compare",
+             "linear,relief,cone,reference", "--set", "linear-steps=4096", "--error",
+             outputs_.file("error.exr")},
+            options);
+    EXPECT_EQ(result.exitStatus, 128 + SIGINT);
+    EXPECT_THAT(outputs_.list(), ElementsAre());
+}
+
+TEST_F(ViewCommandTest, WithoutADisplayTheWindowSaysSo) {
+    const ProcessResult result =
+        runProcess({"/usr/bin/env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", RELIEVO_VIEW, map()});
+    expectFailure(result, 1, "DISPLAY");
+    EXPECT_THAT(result.errors, HasSubstr("--headless"));
+}
+
+}  // namespace
+}  // namespace relievo::tests
