@@ -2,6 +2,7 @@
 // with pointer and keys, and judged by what is on the screen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tests/commands/process.h"
@@ -10,6 +11,7 @@
 #include "tests/viewer/picture_statistics.h"
 #include "tests/viewer/virtual_display.h"
 #include "viewer/control_panel.h"
+#include "viewer/window_settings.h"
 
 namespace relievo::tests {
 namespace {
@@ -94,6 +96,17 @@ class WindowTest : public testing::Test {
         return testing::AssertionFailure() << "correlation " << last;
     }
 
+    /// The place of a technique in the lists.
+    static int choiceOf(std::string_view technique) {
+        const auto choices = viewer::techniqueChoices();
+        return static_cast<int>(std::ranges::find(choices, technique) - choices.begin());
+    }
+
+    /// The number key of a technique.
+    static std::string keyOf(std::string_view technique) {
+        return std::to_string(choiceOf(technique) + 1);
+    }
+
     void clickPanel(const viewer::WindowPoint& point) const {
         display_->click(corner_.first + point.x, corner_.second + point.y);
     }
@@ -146,8 +159,7 @@ TEST_F(WindowTest, TheListChangesTheTechnique) {
     ASSERT_TRUE(waitUntil([&] {
         return correlation(crop(display_->screenshot(), below), closed) < 0.9;
     })) << "the list does not open";
-    constexpr int kReliefMapping = 2;  // in the registry's order
-    clickPanel(viewer::techniqueEntryCenter(kReliefMapping));
+    clickPanel(viewer::techniqueEntryCenter(choiceOf("relief")));
     EXPECT_TRUE(shows(headless({"--technique", "relief"})));
     quit("q");
 }
@@ -155,16 +167,16 @@ TEST_F(WindowTest, TheListChangesTheTechnique) {
 TEST_F(WindowTest, KeysChangeTheTechnique) {
     open({"--technique", "normal"});
     ASSERT_TRUE(shows(headless({"--technique", "normal"})));
-    display_->pressKey("4");
+    display_->pressKey(keyOf("cone"));
     EXPECT_TRUE(shows(headless({"--technique", "cone"})));
-    display_->pressKey("2");
+    display_->pressKey(keyOf("linear"));
     EXPECT_TRUE(shows(headless({"--technique", "linear"})));
     quit("Escape");
 }
 
 TEST_F(WindowTest, ShowsTheExactPicture) {
     open({"--technique", "normal"});
-    display_->pressKey("5");
+    display_->pressKey(keyOf("reference"));
     EXPECT_TRUE(shows(headless({"--technique", "reference"})));
     quit("q");
 }
@@ -174,7 +186,7 @@ TEST_F(WindowTest, SplitsAndComparesWithTheExactHits) {
     const Picture cone = headless({"--technique", "cone"});
     open({"--technique", "normal"});
     ASSERT_TRUE(shows(normal));
-    display_->pressKey("shift+4");
+    display_->pressKey("shift+" + keyOf("cone"));
     display_->pressKey("m");  // side by side: each technique in half of the width
     ASSERT_TRUE(waitUntil(
         [&] { return correlation(crop(shown(), kMiddle), crop(normal, kMiddle)) < kDifferent; }));
@@ -214,7 +226,7 @@ TEST_F(WindowTest, SavesThePictureWithoutOverwriting) {
     display_->pressKey("s");
     ASSERT_TRUE(isSaved("view-001.png"));
     const std::string first = readBytes(folder_.file("view-001.png"));
-    display_->pressKey("3");
+    display_->pressKey(keyOf("relief"));
     ASSERT_TRUE(shows(headless({"--technique", "relief"})));
     display_->pressKey("s");
     ASSERT_TRUE(isSaved("view-002.png"));
@@ -234,9 +246,9 @@ TEST_F(WindowTest, WithoutTheConeChannelTheOtherTechniquesStay) {
     corner_ = *corner;
     const Picture normal = headless({"--technique", "normal"});
     ASSERT_TRUE(shows(normal));
-    display_->pressKey("4");
+    display_->pressKey(keyOf("cone"));
     EXPECT_TRUE(waitUntil([&] { return contrast(crop(shown(), kMiddle)) < 0.02; }));
-    display_->pressKey("1");
+    display_->pressKey(keyOf("normal"));
     EXPECT_TRUE(shows(normal));
     quit("q");
 }
