@@ -26,7 +26,8 @@ struct ConeSearchStatistics {
 ///
 /// Method: best candidates first through a pyramid of least depths, pruned by
 /// distance(node)/(D(t) − least depth(node)), started from the texels that limit the neighbours
-/// (specification 3.2). Memory: 10 bytes a texel besides the map.
+/// (specification 3.2). A plane below the surface of each node (relief_tree.h) rules
+/// out smooth slopes, where that bound is loose. Memory: 15 bytes a texel besides map and result.
 ///
 /// `advance`, when given, is called from any thread with the number of texels just finished.
 textures::Plane buildConservativeCones(const textures::DepthMap& map,

@@ -272,7 +272,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")
         ->check(CLI::Range(1, kMostThreads));
     command->footer(
-        "Memory: about 60 bytes a texel, 1 GB for 4096×4096.\n"
+        "Memory: up to 150 bytes a texel, 2.5 GB for 4096×4096.\n"
         "Examples:\n"
         "  relievo-bake relief bricks.png -o bricks.exr\n"
         "  relievo-bake relief rock.tif -o rock.png --wrap mirror --format u8\n"

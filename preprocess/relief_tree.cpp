@@ -34,8 +34,8 @@ std::array<float, 4> childrenOf(const Plane& level, int i, int j) {
     return values;
 }
 
-// Stores a plane in single precision, lowered so that it stays below: its slopes are rounded
-// first, and `at most` the least distance to the surface is known for the rounded ones.
+// The largest float that is not above `value`. The slopes of a plane are rounded first, and its
+// base is lowered to what the rounded slopes need, so that the stored plane is below the surface.
 float floatBelow(double value) {
     const auto nearest = static_cast<float>(value);
     return static_cast<double>(nearest) > value ? std::nextafter(nearest, -kOutside) : nearest;
