@@ -51,6 +51,17 @@ endfunction()
 # What the sanitizer run builds: the test programs with the label `cpu`.
 add_custom_target(cpu_tests)
 
+# GoogleTest's headers cost more to compile than most tests: they are compiled once for all of them.
+if(RELIEVO_BUILD_TESTS)
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/generated/test_headers.cpp" CONTENT "")
+  add_library(relievo_test_headers STATIC EXCLUDE_FROM_ALL
+    "${PROJECT_BINARY_DIR}/generated/test_headers.cpp")
+  target_compile_features(relievo_test_headers PUBLIC cxx_std_20)
+  target_link_libraries(relievo_test_headers PRIVATE GTest::gtest GTest::gmock)
+  target_precompile_headers(relievo_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  relievo_compile_options(relievo_test_headers)
+endif()
+
 # relievo_add_tests(NAME SOURCES … [LINKS …] [LABELS …] [TIMEOUT s] [ENVIRONMENT …])
 # One GoogleTest program, a ctest test of the room's name. Its label is `cpu`, which makes it part of
 # the sanitizer run, unless LABELS says otherwise: `gl` for tests that render.
@@ -60,6 +71,7 @@ function(relievo_add_tests name)
   add_executable(${target} ${TESTS_SOURCES})
   target_link_libraries(${target} PRIVATE ${TESTS_LINKS} GTest::gtest GTest::gtest_main GTest::gmock)
   relievo_compile_options(${target})
+  target_precompile_headers(${target} REUSE_FROM relievo_test_headers)
   if(NOT TESTS_LABELS)
     set(TESTS_LABELS cpu)
   endif()

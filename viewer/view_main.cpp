@@ -32,6 +32,13 @@ void listTechniques() {
 // A window wants more room than a picture on a sheet.
 constexpr int kWindowPictureSize = 768;
 
+void openWindow(const viewer::ViewOptions& options) {
+    if (options.techniques.size() > 2)
+        commands::note(
+            "a window compares two techniques: the others of --compare are in its lists");
+    viewer::runWindow(options);
+}
+
 void run(viewer::ViewOptions& options, bool hasSize) {
     if (!options.headless && !hasSize)
         options.width = options.height = kWindowPictureSize;
@@ -43,7 +50,7 @@ void run(viewer::ViewOptions& options, bool hasSize) {
     else if (options.headless)
         viewer::runHeadless(options);
     else
-        viewer::runWindow(options);
+        openWindow(options);
 }
 
 }  // namespace
