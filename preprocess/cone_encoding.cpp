@@ -24,25 +24,34 @@ float ratioOf(float radius, float depth) {
     return roundDown(belowRounding(static_cast<double>(radius) / depth));
 }
 
-textures::Plane transformed(const textures::Plane& cone, const textures::Plane& depth,
-                            float (*function)(float, float)) {
+void transform(textures::Plane& cone, const textures::Plane& depth,
+               float (*function)(float, float)) {
     assert(cone.width == depth.width && cone.height == depth.height);
-    textures::Plane result(cone.width, cone.height);
     std::transform(cone.texels.begin(), cone.texels.end(), depth.texels.begin(),
-                   result.texels.begin(), function);
-    return result;
+                   cone.texels.begin(), function);
 }
 
 }  // namespace
 
+void encodeConesInPlace(textures::Plane& cone, const textures::Plane& depth,
+                        textures::ConeEncoding encoding) {
+    if (encoding == textures::ConeEncoding::Radius)
+        transform(cone, depth, radiusOf);
+}
+
 textures::Plane encodeCones(const textures::Plane& ratio, const textures::Plane& depth,
                             textures::ConeEncoding encoding) {
-    return encoding == textures::ConeEncoding::Ratio ? ratio : transformed(ratio, depth, radiusOf);
+    textures::Plane cone = ratio;
+    encodeConesInPlace(cone, depth, encoding);
+    return cone;
 }
 
 textures::Plane decodeCones(const textures::Plane& cone, const textures::Plane& depth,
                             textures::ConeEncoding encoding) {
-    return encoding == textures::ConeEncoding::Ratio ? cone : transformed(cone, depth, ratioOf);
+    textures::Plane ratio = cone;
+    if (encoding == textures::ConeEncoding::Radius)
+        transform(ratio, depth, ratioOf);
+    return ratio;
 }
 
 }  // namespace relievo::preprocess

@@ -12,6 +12,10 @@ namespace relievo::preprocess {
 textures::Plane encodeCones(const textures::Plane& ratio, const textures::Plane& depth,
                             textures::ConeEncoding encoding);
 
+/// encodeCones without a second plane: turns ratios into the channel `cone`.
+void encodeConesInPlace(textures::Plane& cone, const textures::Plane& depth,
+                        textures::ConeEncoding encoding);
+
 /// The ratios of a channel `cone`, rounded down: the inverse of encodeCones up to rounding. The
 /// radius of a texel of depth 0 says nothing and gives an unlimited ratio.
 textures::Plane decodeCones(const textures::Plane& cone, const textures::Plane& depth,

@@ -7,12 +7,13 @@ namespace relievo::preprocess {
 namespace {
 
 void differentiateRow(const textures::DepthMap& map, int j, Derivatives& derivatives) {
-    const double perTileWidth = 0.5 * map.width();
+    const double acrossScale = 0.5 * map.width();
+    const double downScale = acrossScale / map.texelAspect;
     for (int i = 0; i < map.width(); ++i) {
         const double across = static_cast<double>(map.at(i + 1, j)) - map.at(i - 1, j);
         const double down = static_cast<double>(map.at(i, j + 1)) - map.at(i, j - 1);
-        derivatives.dx.at(i, j) = static_cast<float>(across * perTileWidth);
-        derivatives.dy.at(i, j) = static_cast<float>(down * perTileWidth);
+        derivatives.dx.at(i, j) = static_cast<float>(across * acrossScale);
+        derivatives.dy.at(i, j) = static_cast<float>(down * downScale);
     }
 }
 

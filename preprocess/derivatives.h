@@ -12,8 +12,8 @@ struct Derivatives {
     textures::Plane dy;  ///< along v, in the metric: per tile width too, not per tile height
 };
 
-/// Central differences of the depths under the map's wrap mode. Texels are square, so the distance
-/// between the two samples is 2/width in both directions, whatever the aspect.
+/// Central differences of the depths under the map's wrap mode. The distance between
+/// the two samples is 2/width along u and 2·texelAspect/width along v, whatever the map's aspect.
 Derivatives buildDerivatives(const textures::DepthMap& map);
 
 }  // namespace relievo::preprocess

@@ -9,74 +9,47 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <set>
+#include <optional>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "commands/program.h"
 #include "commands/progress.h"
-#include "preprocess/cone_encoding.h"
-#include "preprocess/cones_by_levels.h"
-#include "preprocess/conservative_cones.h"
-#include "preprocess/derivatives.h"
-#include "preprocess/normals.h"
+#include "preprocess/cone_kinds.h"
+#include "preprocess/map_kinds.h"
+#include "preprocess/relief_baker.h"
 #include "textures/atomic_file.h"
 #include "textures/file_extension.h"
 #include "textures/height_image.h"
 #include "textures/input_error.h"
 #include "textures/map_file.h"
 #include "textures/packed_codes.h"
-#include "textures/version.h"
 
 namespace relievo::preprocess {
 namespace {
 
 using commands::UsageError;
-using textures::ConeEncoding;
 using textures::MapSet;
 using textures::Plane;
 using textures::StorageFormat;
 
 constexpr int kMostThreads = 1024;
 constexpr double kLargestScale = 1e6;
-constexpr std::size_t kPackedChannels = 4;
 
-// What to do, checked: the arguments in the types of the builders.
-struct ReliefPlan {
-    std::set<std::string> maps;
+// What to do, checked: the arguments in the types of the library.
+struct Job {
+    ReliefPlan plan;
     textures::HeightImageOptions input;
-    ConeEncoding encoding = ConeEncoding::Radius;
-    StorageFormat format = StorageFormat::Float;
-    [[nodiscard]] bool has(const char* map) const { return maps.count(map) > 0; }
 };
 
-std::set<std::string> splitMaps(const std::string& list) {
-    static const std::set<std::string> kKnown = {"depth", "derivative", "normal", "cone"};
-    std::set<std::string> maps;
+std::vector<std::string> splitMaps(const std::string& list) {
+    std::vector<std::string> maps;
     std::istringstream stream(list);
     for (std::string map; std::getline(stream, map, ',');)
-        if (kKnown.count(map) == 0)
-            throw UsageError(fmt::format(
-                "--maps: '{}' is no map, expected some of depth, derivative, normal, cone", map));
-        else
-            maps.insert(map);
-    if (maps.empty())
-        throw UsageError("--maps: expected some of depth, derivative, normal, cone");
+        if (std::find(maps.begin(), maps.end(), map) == maps.end())
+            maps.push_back(map);
     return maps;
-}
-
-// Words that the design reserves and this version does not bake.
-void refuseUnavailable(const ReliefArguments& arguments) {
-    const auto refuse = [](const char* option, const std::string& word, const char* available) {
-        throw UsageError(fmt::format("{} {}: not available in this version, expected {}", option,
-                                     word, available));
-    };
-    if (arguments.cone != "conservative")
-        refuse("--cone", arguments.cone, "conservative");
-    if (arguments.guarantee != "texel")
-        refuse("--guarantee", arguments.guarantee, "texel");
-    if (arguments.method != "exact" && arguments.method != "levels")
-        refuse("--method", arguments.method, "exact or levels");
 }
 
 StorageFormat formatFor(const ReliefArguments& arguments) {
@@ -94,36 +67,25 @@ StorageFormat formatFor(const ReliefArguments& arguments) {
     return format;
 }
 
-void requireRoomForChannels(const ReliefPlan& plan) {
-    const std::size_t channels = (plan.has("depth") ? 1u : 0u) +
-                                 (plan.has("derivative") ? 2u : 0u) +
-                                 (plan.has("normal") ? 3u : 0u) + (plan.has("cone") ? 1u : 0u);
-    if (textures::isPackedFormat(plan.format) && channels > kPackedChannels)
-        throw UsageError(fmt::format(
-            "--maps asks for {} channels, but a PNG or TIFF holds {}: bake to .exr, or fewer maps",
-            channels, kPackedChannels));
-}
-
-ReliefPlan planOf(const ReliefArguments& arguments) {
-    refuseUnavailable(arguments);
-    ReliefPlan plan;
-    plan.maps = splitMaps(arguments.maps);
-    plan.format = formatFor(arguments);
-    plan.encoding = *textures::coneEncodingFromName(arguments.encoding);
-    plan.input.isDepth = arguments.input == "depth";
-    plan.input.channel = arguments.channel;
-    plan.input.wrap = *textures::wrapModeFromName(arguments.wrap);
-    plan.input.notice = commands::note;
-    requireRoomForChannels(plan);
-    // A radius alone says nothing: the search divides it by the depth.
-    if (plan.has("cone") && plan.encoding == ConeEncoding::Radius && !plan.has("depth"))
-        throw UsageError("--maps: cones as radii need the map depth beside them");
-    if (std::isnan(arguments.normalScale))  // passes every check of a range
-        throw UsageError("--normal-scale: expected a number");
+Job jobOf(const ReliefArguments& arguments) {
+    Job job;
+    job.plan.maps = splitMaps(arguments.maps);
+    job.plan.cone = arguments.cone;
+    job.plan.guarantee = arguments.guarantee;
+    job.plan.method = arguments.method;
+    job.plan.encoding = *textures::coneEncodingFromName(arguments.encoding);
+    job.plan.format = formatFor(arguments);
+    job.plan.normalScale = arguments.normalScale;
+    job.input.isDepth = arguments.input == "depth";
+    job.input.channel = arguments.channel;
+    job.input.wrap = *textures::wrapModeFromName(arguments.wrap);
+    job.input.notice = commands::note;
+    if (const std::string problem = planProblem(job.plan); !problem.empty())
+        throw UsageError(problem);
     std::error_code missing;
     if (std::filesystem::equivalent(arguments.height, arguments.output, missing))
         throw UsageError(fmt::format("-o {}: is the height image itself", arguments.output));
-    return plan;
+    return job;
 }
 
 // Times a stage and says what it did when it is over.
@@ -141,39 +103,23 @@ class Stage {
     std::chrono::steady_clock::time_point start_;
 };
 
-void addDerivatives(const ReliefPlan& plan, const ReliefArguments& arguments,
-                    const textures::DepthMap& relief, MapSet& maps) {
-    const Stage stage("slopes");
-    Derivatives derivatives = buildDerivatives(relief);
-    std::string names;
-    if (plan.has("normal")) {
-        Normals normals = buildNormals(derivatives, arguments.normalScale);
-        maps.channels.push_back({"nx", std::move(normals.nx)});
-        maps.channels.push_back({"ny", std::move(normals.ny)});
-        maps.channels.push_back({"nz", std::move(normals.nz)});
-        maps.attributes["relievo:normal-scale"] = fmt::format("{}", arguments.normalScale);
-        names = fmt::format("nx, ny, nz at depth scale {}  ", arguments.normalScale);
-    }
-    if (plan.has("derivative")) {
-        maps.channels.push_back({"dx", std::move(derivatives.dx)});
-        maps.channels.push_back({"dy", std::move(derivatives.dy)});
-        names += "dx, dy";
-    }
-    stage.done(names);
-}
-
-Plane coneRatios(const textures::DepthMap& relief, const std::string& method, std::string& counts) {
-    const std::size_t texels = relief.depth.texels.size();
-    commands::Progress progress("cones", texels);
-    const auto advance = [&](std::size_t done) { progress.advance(done); };
-    if (method == "levels")
-        return buildConesByLevels(relief, 256, advance);
-    ConeSearchStatistics work;
-    Plane ratio = buildConservativeCones(relief, advance, &work);
-    counts = fmt::format(", {:.1f} nodes and {:.1f} texels visited for each",
-                         static_cast<double>(work.nodes) / static_cast<double>(texels),
-                         static_cast<double>(work.texels) / static_cast<double>(texels));
-    return ratio;
+// Bakes with a progress bar and a line for each map.
+MapSet bake(textures::DepthMap relief, const ReliefPlan& plan) {
+    std::optional<Stage> stage;
+    std::optional<commands::Progress> progress;
+    std::size_t size = 0;
+    BakeObserver observer;
+    observer.begin = [&](std::string_view map, std::size_t texels) {
+        size = texels;
+        stage.emplace(std::string(map));
+        progress.emplace(std::string(map), texels);
+    };
+    observer.advance = [&](std::size_t texels) { progress->advance(texels); };
+    observer.end = [&](std::string_view, const std::string& counts) {
+        progress.reset();
+        stage->done(fmt::format("{} texels, {}", size, counts));
+    };
+    return bakeRelief(std::move(relief), plan, observer);
 }
 
 void warnOfPackedCones(const Plane& cone, StorageFormat format) {
@@ -195,23 +141,9 @@ void warnOfPackedCones(const Plane& cone, StorageFormat format) {
                         wider, top));
 }
 
-void addCones(const ReliefPlan& plan, const ReliefArguments& arguments,
-              const textures::DepthMap& relief, MapSet& maps) {
-    const Stage stage("cones");
-    std::string counts;
-    const Plane ratio = coneRatios(relief, arguments.method, counts);
-    maps.encoding = plan.encoding;
-    maps.attributes["relievo:cone"] = arguments.cone;
-    maps.attributes["relievo:guarantee"] = arguments.guarantee;
-    maps.attributes["relievo:method"] = arguments.method;
-    maps.channels.push_back({"cone", encodeCones(ratio, relief.depth, plan.encoding)});
-    stage.done(fmt::format("{} texels{}", ratio.texels.size(), counts));
-    warnOfPackedCones(maps.channels.back().plane, plan.format);
-}
-
-textures::HeightImage readInput(const ReliefPlan& plan, const ReliefArguments& arguments) {
+textures::HeightImage readInput(const Job& job, const ReliefArguments& arguments) {
     const Stage stage("read");
-    textures::HeightImage image = textures::readHeightImage(arguments.height, plan.input);
+    textures::HeightImage image = textures::readHeightImage(arguments.height, job.input);
     const Plane& depth = image.depth.depth;
     stage.done(
         fmt::format("{}, {}×{}, {}", arguments.height, depth.width, depth.height, arguments.wrap));
@@ -226,30 +158,34 @@ void writeOutput(const ReliefPlan& plan, const ReliefArguments& arguments, const
                            std::filesystem::file_size(arguments.output)));
 }
 
+std::string mapsDescription() {
+    std::string description = "Some of these, with commas:";
+    for (const MapKind& kind : mapKinds())
+        description += fmt::format("\n{} ({})", kind.name, kind.description);
+    return description;
+}
+
 }  // namespace
 
 CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
     CLI::App* command = app.add_subcommand("relief", "Bake the maps of a height image");
-    const auto add = [&](const char* name, std::string& word, const char* description) {
+    const auto add = [&](const char* name, std::string& word, const std::string& description) {
         return command->add_option(name, word, description);
     };
     add("HEIGHT", arguments.height, "Height image, of any format that OpenImageIO reads")
         ->required();
     add("-o,--output", arguments.output, "Map file to write: .exr, .png, .tif")->required();
-    add("--maps", arguments.maps, "Some of depth,derivative,normal,cone, with commas")
-        ->capture_default_str();
-    add("--cone", arguments.cone, "Kind of cones; relaxed and roof are for later versions")
-        ->check(CLI::IsMember({"conservative", "relaxed", "roof"}))
+    add("--maps", arguments.maps, mapsDescription())->capture_default_str();
+    add("--cone", arguments.cone, "Kind of cones")
+        ->check(CLI::IsMember(coneWords(&ConeKind::cone)))
         ->capture_default_str();
     add("--guarantee", arguments.guarantee,
-        "What the cones are safe for: texel centres; bilinear is for later versions")
-        ->check(CLI::IsMember({"bilinear", "texel"}))
-        ->capture_default_str();
+        "What the cones are safe for: rays over texel centres [what the method gives]")
+        ->check(CLI::IsMember(coneWords(&ConeKind::guarantee)));
     add("--method", arguments.method,
         "Builder of the cones: exact, or the baseline levels (exact up to 256 distinct depths, "
-        "narrower above)")
-        ->check(CLI::IsMember({"exact", "levels", "squares", "maxima", "policarpo"}))
-        ->capture_default_str();
+        "narrower above) [exact]")
+        ->check(CLI::IsMember(coneWords(&ConeKind::method)));
     add("--wrap", arguments.wrap, "How the relief continues outside its tile")
         ->check(CLI::IsMember({"repeat", "mirror", "clamp"}))
         ->capture_default_str();
@@ -282,7 +218,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
 }
 
 void runReliefCommand(const ReliefArguments& arguments) {
-    const ReliefPlan plan = planOf(arguments);
+    const Job job = jobOf(arguments);
     // Finds out that the folder cannot be written before the work, not after it.
     textures::AtomicFile{arguments.output};
     const tbb::global_control threads(
@@ -291,21 +227,12 @@ void runReliefCommand(const ReliefArguments& arguments) {
             ? static_cast<std::size_t>(arguments.threads)
             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 
-    textures::HeightImage image = readInput(plan, arguments);
-    MapSet maps;
-    maps.wrap = plan.input.wrap;
+    textures::HeightImage image = readInput(job, arguments);
+    MapSet maps = bake(std::move(image.depth), job.plan);
     maps.source = image.source;
-    maps.version = textures::kVersion;
-    // All maps belong to the depths that the file will hold, not to those before rounding.
-    textures::DepthMap& relief = image.depth;
-    relief.depth = textures::storedValues(relief.depth, "depth", plan.format);
-    if (plan.has("derivative") || plan.has("normal"))
-        addDerivatives(plan, arguments, relief, maps);
-    if (plan.has("cone"))
-        addCones(plan, arguments, relief, maps);
-    if (plan.has("depth"))
-        maps.channels.push_back({"depth", std::move(relief.depth)});
-    writeOutput(plan, arguments, maps);
+    if (const Plane* cone = maps.find("cone"))
+        warnOfPackedCones(*cone, job.plan.format);
+    writeOutput(job.plan, arguments, maps);
 }
 
 }  // namespace relievo::preprocess

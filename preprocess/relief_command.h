@@ -14,8 +14,8 @@ struct ReliefArguments {
     std::string output;
     std::string maps = "depth,derivative,cone";
     std::string cone = "conservative";
-    std::string guarantee = "texel";
-    std::string method = "exact";
+    std::string guarantee;  ///< empty: that of the first method that fits
+    std::string method;     ///< empty: the first that fits
     std::string wrap = "repeat";
     std::string input = "height";
     std::string channel;

@@ -147,7 +147,7 @@ TEST_F(Bake, SameBytesForOneAndTwoThreads) {
 TEST_F(Bake, StagesAreToldUnlessQuiet) {
     const std::string height = sample("wave", "32x32");
     const ProcessResult loud = bake({"relief", height, "-o", folder.file("a.exr")});
-    for (const char* stage : {"read ", "slopes ", "cones ", "write ", "1024 texels"})
+    for (const char* stage : {"read ", "cone ", "derivative ", "write ", "1024 texels"})
         EXPECT_THAT(loud.output, HasSubstr(stage));
     const ProcessResult quiet = bake({"relief", height, "-o", folder.file("a.exr"), "--quiet"});
     EXPECT_EQ(quiet.output + quiet.errors, "");

@@ -43,6 +43,18 @@ TEST(Derivatives, OfARampAreItsSlopesPerTileWidth) {
     EXPECT_FLOAT_EQ(derivatives.dy.at(5, 31), 0.125f);
 }
 
+TEST(Derivatives, OfTexelsThatAreNoSquaresAreStillPerTileWidth) {
+    DepthMap ramp{Plane(8, 6), WrapMode::Clamp};
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 8; ++i)
+            ramp.depth.at(i, j) = static_cast<float>(i + j) / 16.0f;
+    ramp.texelAspect = 1.25;
+    EXPECT_DOUBLE_EQ(ramp.aspect(), 1.25 * 6 / 8);
+    const Derivatives derivatives = buildDerivatives(ramp);
+    EXPECT_FLOAT_EQ(derivatives.dx.at(3, 3), 0.5f);
+    EXPECT_FLOAT_EQ(derivatives.dy.at(3, 3), 0.5f / 1.25f);
+}
+
 TEST(Derivatives, OfAWaveAreItsClosedFormInTheMetric) {
     const int width = 256;
     const int height = 128;

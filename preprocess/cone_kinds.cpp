@@ -1,0 +1,75 @@
+#include "preprocess/cone_kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "preprocess/cone_encoding.h"
+#include "preprocess/cones_by_levels.h"
+#include "preprocess/conservative_cones.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::MapSet;
+using textures::Plane;
+
+std::vector<std::string> surfaceConeChannels(const ReliefPlan&) {
+    return {"cone"};
+}
+
+// Cones whose apex lies on the surface, from ratios: the channel `cone`.
+void addSurfaceCones(const MapRequest& request, Plane ratio, MapSet& maps) {
+    maps.encoding = request.plan.encoding;
+    encodeConesInPlace(ratio, request.relief.depth, request.plan.encoding);
+    maps.channels.push_back({"cone", std::move(ratio)});
+}
+
+std::string buildConservative(const MapRequest& request, MapSet& maps) {
+    ConeSearchStatistics work;
+    addSurfaceCones(request, buildConservativeCones(request.relief, request.advance, &work), maps);
+    const auto texels = static_cast<double>(request.relief.depth.texels.size());
+    return fmt::format("{:.1f} nodes and {:.1f} texels visited for each",
+                       static_cast<double>(work.nodes) / texels,
+                       static_cast<double>(work.texels) / texels);
+}
+
+std::string buildByLevels(const MapRequest& request, MapSet& maps) {
+    constexpr int kLevels = 256;
+    addSurfaceCones(request, buildConesByLevels(request.relief, kLevels, request.advance), maps);
+    return fmt::format("at most {} levels", kLevels);
+}
+
+constexpr ConeKind kKinds[] = {
+    {"conservative", "texel", "exact", 40.0, surfaceConeChannels, buildConservative},
+    {"conservative", "texel", "levels", 40.0, surfaceConeChannels, buildByLevels},
+};
+
+bool fits(const std::string& wanted, std::string_view word) {
+    return wanted.empty() || wanted == word;
+}
+
+}  // namespace
+
+std::span<const ConeKind> coneKinds() {
+    return kKinds;
+}
+
+const ConeKind* findConeKind(const ReliefPlan& plan) {
+    const auto found = std::ranges::find_if(kKinds, [&](const ConeKind& kind) {
+        return plan.cone == kind.cone && fits(plan.guarantee, kind.guarantee) &&
+               fits(plan.method, kind.method);
+    });
+    return found == std::end(kKinds) ? nullptr : &*found;
+}
+
+std::vector<std::string> coneWords(std::string_view ConeKind::*respect) {
+    std::vector<std::string> words;
+    for (const ConeKind& kind : kKinds)
+        if (std::ranges::find(words, kind.*respect) == words.end())
+            words.emplace_back(kind.*respect);
+    return words;
+}
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preprocess/map_kinds.h"
+
+namespace relievo::preprocess {
+
+/// One way to build cones: what they are, what they are safe for, and by which method. Adding one
+/// is an entry in cone_kinds.cpp.
+struct ConeKind {
+    std::string_view cone;       ///< the word of `--cone`
+    std::string_view guarantee;  ///< of `--guarantee`
+    std::string_view method;     ///< of `--method`
+    double workingBytes;         ///< as in MapKind
+    /// As in MapKind.
+    std::vector<std::string> (*channels)(const ReliefPlan& plan);
+    std::string (*build)(const MapRequest& request, textures::MapSet& maps);
+};
+
+/// All of them. Where a plan leaves guarantee or method open, the first that fits the rest counts.
+std::span<const ConeKind> coneKinds();
+
+/// The one that `plan` asks for, or null when there is none.
+const ConeKind* findConeKind(const ReliefPlan& plan);
+
+/// The words of all kinds in one of the three respects, each once.
+std::vector<std::string> coneWords(std::string_view ConeKind::*respect);
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,100 @@
+#include "preprocess/relief_baker.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "preprocess/cone_kinds.h"
+#include "preprocess/map_kinds.h"
+#include "textures/storage_format.h"
+#include "textures/version.h"
+
+namespace relievo::preprocess {
+namespace {
+
+constexpr std::size_t kPackedChannels = 4;
+
+std::string problemOfMaps(const ReliefPlan& plan) {
+    std::vector<std::string_view> known;
+    for (const MapKind& kind : mapKinds())
+        known.push_back(kind.name);
+    for (const std::string& map : plan.maps)
+        if (findMapKind(map) == nullptr)
+            return fmt::format("--maps: '{}' is no map, expected some of {}", map,
+                               fmt::join(known, ", "));
+    return plan.maps.empty() ? fmt::format("--maps: expected some of {}", fmt::join(known, ", "))
+                             : "";
+}
+
+std::string problemOfCones(const ReliefPlan& plan) {
+    if (!plan.has("cone"))
+        return "";
+    if (findConeKind(plan) != nullptr) {
+        // A radius alone says nothing: the search divides it by the depth.
+        return plan.encoding == textures::ConeEncoding::Radius && !plan.has("depth")
+                   ? "--maps: cones as radii need the map depth beside them"
+                   : "";
+    }
+    std::vector<std::string> offered;
+    for (const ConeKind& kind : coneKinds())
+        if (kind.cone == plan.cone)
+            offered.push_back(
+                fmt::format("--method {} --guarantee {}", kind.method, kind.guarantee));
+    const auto asked = [](const char* option, const std::string& word) {
+        return word.empty() ? "" : fmt::format(" --{} {}", option, word);
+    };
+    return fmt::format("--cone {}{}{}: not available, expected {}", plan.cone,
+                       asked("method", plan.method), asked("guarantee", plan.guarantee),
+                       fmt::join(offered, ", or "));
+}
+
+std::string problemOfChannels(const ReliefPlan& plan) {
+    std::size_t channels = 0;
+    for (const std::string& map : plan.maps)
+        channels += findMapKind(map)->channels(plan).size();
+    return textures::isPackedFormat(plan.format) && channels > kPackedChannels
+               ? fmt::format(
+                     "--maps asks for {} channels, but a PNG or TIFF holds {}: bake to .exr, or "
+                     "fewer maps",
+                     channels, kPackedChannels)
+               : "";
+}
+
+}  // namespace
+
+std::string planProblem(const ReliefPlan& plan) {
+    for (const auto check : {problemOfMaps, problemOfCones, problemOfChannels})
+        if (std::string problem = check(plan); !problem.empty())
+            return problem;
+    if (!(plan.normalScale >= 0.0) || !std::isfinite(plan.normalScale))
+        return "--normal-scale: expected a number from 0";
+    return "";
+}
+
+textures::MapSet bakeRelief(textures::DepthMap relief, const ReliefPlan& plan,
+                            const BakeObserver& observer) {
+    if (const std::string problem = planProblem(plan); !problem.empty())
+        throw std::invalid_argument(problem);
+    relief.depth = textures::storedValues(relief.depth, "depth", plan.format);
+    textures::MapSet maps;
+    maps.wrap = relief.wrap;
+    maps.version = textures::kVersion;
+    for (const MapKind& kind : mapKinds()) {
+        if (kind.build == nullptr || !plan.has(kind.name))
+            continue;
+        if (observer.begin)
+            observer.begin(kind.name, relief.depth.texels.size());
+        const std::string counts = kind.build({relief, plan, observer.advance}, maps);
+        if (observer.end)
+            observer.end(kind.name, counts);
+    }
+    if (plan.has("depth"))
+        maps.channels.push_back({"depth", std::move(relief.depth)});
+    return maps;
+}
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "textures/map_set.h"
+#include "textures/storage_format.h"
+
+namespace relievo::preprocess {
+
+/// Which maps to bake of a relief, and how, in the words of `relievo-bake relief`.
+struct ReliefPlan {
+    std::vector<std::string> maps = {"depth", "derivative", "cone"};  ///< names of mapKinds()
+    std::string cone = "conservative";                                ///< words of coneKinds()
+    std::string guarantee;  ///< "": the first that coneKinds() has for the rest
+    std::string method;     ///< likewise
+    textures::ConeEncoding encoding = textures::ConeEncoding::Radius;
+    /// What the file will hold: the maps are those of the depths after this rounding.
+    textures::StorageFormat format = textures::StorageFormat::Float;
+    double normalScale = 0.1;  ///< depth scale of the map `normal`, in tile widths
+
+    [[nodiscard]] bool has(std::string_view map) const {
+        return std::find(maps.begin(), maps.end(), map) != maps.end();
+    }
+};
+
+}  // namespace relievo::preprocess

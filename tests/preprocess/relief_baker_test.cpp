@@ -1,0 +1,114 @@
+#include "preprocess/relief_baker.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "preprocess/cone_kinds.h"
+#include "preprocess/map_kinds.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using testing::HasSubstr;
+using textures::DepthMap;
+using textures::MapSet;
+using textures::Plane;
+using textures::StorageFormat;
+
+DepthMap hills(int width, int height) {
+    DepthMap map{Plane(width, height), textures::WrapMode::Mirror};
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i)
+            map.depth.at(i, j) =
+                static_cast<float>(0.5 + 0.3 * std::sin(0.7 * i) * std::cos(0.4 * j));
+    return map;
+}
+
+std::set<std::string> namesOf(const MapSet& maps) {
+    std::set<std::string> names;
+    for (const textures::Channel& channel : maps.channels)
+        names.insert(channel.name);
+    return names;
+}
+
+// Every entry of both tables keeps what it says: these channels, and all texels told of.
+TEST(ReliefBaker, EveryKindGivesTheChannelsThatItNames) {
+    for (const ConeKind& cone : coneKinds()) {
+        ReliefPlan plan;
+        plan.maps.clear();
+        for (const MapKind& kind : mapKinds())
+            plan.maps.emplace_back(kind.name);
+        plan.cone = cone.cone;
+        plan.guarantee = cone.guarantee;
+        plan.method = cone.method;
+        SCOPED_TRACE(plan.cone + " " + plan.guarantee + " " + plan.method);
+        ASSERT_EQ(planProblem(plan), "");
+        std::set<std::string> expected;
+        for (const MapKind& kind : mapKinds())
+            for (const std::string& channel : kind.channels(plan))
+                EXPECT_TRUE(expected.insert(channel).second) << channel;
+        std::atomic<std::size_t> texels{0};
+        std::vector<std::string> begun;
+        BakeObserver observer;
+        observer.begin = [&](std::string_view map, std::size_t) { begun.emplace_back(map); };
+        observer.advance = [&](std::size_t done) { texels += done; };
+        const MapSet maps = bakeRelief(hills(23, 9), plan, observer);
+        EXPECT_EQ(namesOf(maps), expected);
+        EXPECT_EQ(texels, 23u * 9u) << "of the cones, the only map that tells";
+        EXPECT_EQ(begun.size() + 1, mapKinds().size()) << "all but depth are built";
+        EXPECT_EQ(maps.attributes.at("relievo:cone"), cone.cone);
+        EXPECT_EQ(maps.attributes.at("relievo:guarantee"), cone.guarantee);
+        EXPECT_EQ(maps.attributes.at("relievo:method"), cone.method);
+    }
+}
+
+TEST(ReliefBaker, MapsNotAskedForAreNotThere) {
+    ReliefPlan plan;
+    plan.maps = {"derivative"};
+    const MapSet maps = bakeRelief(hills(5, 4), plan);
+    EXPECT_EQ(namesOf(maps), (std::set<std::string>{"dx", "dy"}));
+    EXPECT_EQ(maps.wrap, textures::WrapMode::Mirror);
+    EXPECT_TRUE(maps.attributes.empty());
+}
+
+TEST(ReliefBaker, MapsBelongToTheDepthsAsStored) {
+    ReliefPlan plan;
+    plan.maps = {"depth"};
+    plan.format = StorageFormat::U8;
+    const DepthMap relief = hills(16, 16);
+    EXPECT_EQ(bakeRelief(relief, plan).find("depth")->texels,
+              textures::storedValues(relief.depth, "depth", StorageFormat::U8).texels);
+}
+
+TEST(ReliefBaker, ImpossiblePlansAreTold) {
+    const auto problem = [](auto change) {
+        ReliefPlan plan;
+        change(plan);
+        const std::string sentence = planProblem(plan);
+        EXPECT_THROW(bakeRelief(hills(4, 4), plan), std::invalid_argument) << sentence;
+        return sentence;
+    };
+    EXPECT_EQ(planProblem(ReliefPlan{}), "");
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.maps = {"depth", "moon"};
+                }),
+                HasSubstr("--maps: 'moon' is no map, expected some of cone, "));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.maps.clear(); }), HasSubstr("--maps: "));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.method = "magic"; }),
+                HasSubstr("--cone conservative --method magic: not available, expected --method "));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.maps = {"cone"}; }), HasSubstr("need the map"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.maps.emplace_back("normal");
+                    plan.format = StorageFormat::U16;
+                }),
+                HasSubstr("7 channels"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.normalScale = std::nan(""); }),
+                HasSubstr("--normal-scale"));
+}
+
+}  // namespace
+}  // namespace relievo::preprocess
