@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "reference/bilinear_cell.h"
+#include "reference/cell_walk.h"
 
 namespace relievo::reference {
 
 namespace {
 
 using textures::DepthMap;
-using textures::WrapMode;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthestTexel = 0x1p51;
@@ -70,108 +69,24 @@ std::optional<ClippedRay> clip(const TileRay& ray, const TileWindow& window) {
     return clipped;
 }
 
-/// The walk of a ray over the cells of one axis. Cell k lies between texel centres k and k+1, in
-/// texel coordinates x = u·size − ½. Where the map is constant along the axis (one texel, or
-/// outside a clamped tile) a single cell reaches to infinity.
-class AxisWalk {
-  public:
-    AxisWalk(double texels, double speed, int size, WrapMode wrap)
-        : speed_(speed), size_(size), wrap_(wrap) {
-        cell_ = static_cast<std::int64_t>(std::floor(texels));
-        if (wrap == WrapMode::Clamp)
-            cell_ = std::clamp<std::int64_t>(cell_, -1, size - 1);
-        start_ = texels - static_cast<double>(cell_);
-        low_ = textures::wrapIndex(cell_, size_, wrap_);
-        high_ = textures::wrapIndex(cell_ + 1, size_, wrap_);
-    }
-
-    /// The parameter at which the ray leaves the cell along this axis. From integers every time, so
-    /// that errors do not add up along the walk.
-    [[nodiscard]] double exit() const noexcept {
-        if (speed_ == 0.0 || reachesToInfinity())
-            return kInfinity;
-        const auto border = static_cast<double>(speed_ > 0.0 ? steps_ + 1 : steps_);
-        return (border - start_) / speed_;
-    }
-    /// The coordinate at parameter t, relative to the first texel centre of the cell.
-    [[nodiscard]] double local(double t) const noexcept {
-        return (start_ - static_cast<double>(steps_)) + t * speed_;
-    }
-    void step() noexcept {
-        if (speed_ > 0.0) {
-            ++cell_, ++steps_;
-            low_ = high_;
-            high_ = textures::wrapIndex(cell_ + 1, size_, wrap_);
-        } else {
-            --cell_, --steps_;
-            high_ = low_;
-            low_ = textures::wrapIndex(cell_, size_, wrap_);
-        }
-    }
-    [[nodiscard]] double speed() const noexcept { return speed_; }
-    /// The texels on the two sides of the cell.
-    [[nodiscard]] int low() const noexcept { return low_; }
-    [[nodiscard]] int high() const noexcept { return high_; }
-
-  private:
-    [[nodiscard]] bool reachesToInfinity() const noexcept {
-        if (size_ == 1)
-            return true;
-        return wrap_ == WrapMode::Clamp && (speed_ > 0.0 ? cell_ >= size_ - 1 : cell_ <= -1);
-    }
-
-    double speed_;  ///< texels per unit of the ray's parameter
-    int size_;
-    WrapMode wrap_;
-    std::int64_t cell_ = 0;
-    std::int64_t steps_ = 0;  ///< cells walked from the first one, negative to the left
-    double start_ = 0.0;      ///< where the ray begins, relative to the first cell
-    int low_ = 0;
-    int high_ = 0;
-};
-
-BilinearCell cellAt(const DepthMap& map, const AxisWalk& columns, const AxisWalk& rows) {
-    return {map.depth.at(columns.low(), rows.low()), map.depth.at(columns.high(), rows.low()),
-            map.depth.at(columns.low(), rows.high()), map.depth.at(columns.high(), rows.high())};
-}
-
-/// A ray over the texels, with its parameter counted from where it enters the window.
-struct CellWalk {
-    AxisWalk columns;
-    AxisWalk rows;
-    double z = 0.0;  ///< depth at parameter 0
-    double zSpeed = 0.0;
-    double end = kInfinity;
-    bool endsOnFloor = false;
-};
-
 struct Crossing {
     double t = 0.0;
     bool startsInside = false;
 };
 
-std::optional<Crossing> walkToSurface(const DepthMap& map, CellWalk walk) {
-    const glm::dvec3 direction(walk.columns.speed(), walk.rows.speed(), walk.zSpeed);
-    double entry = 0.0;
-    for (bool first = true;; first = false) {
-        const double columnExit = walk.columns.exit();
-        const double rowExit = walk.rows.exit();
-        // Two borders met at once may swap by a rounding; the parameter must not go back for it.
-        const double exit = std::max(entry, std::min({columnExit, rowExit, walk.end}));
-        const double zEntry = walk.z + entry * walk.zSpeed;
-        const double deepest = walk.zSpeed > 0.0 ? walk.z + exit * walk.zSpeed : zEntry;
-        const BilinearCell cell = cellAt(map, walk.columns, walk.rows);
-        const bool last = exit >= walk.end;
-        if (deepest >= cell.minimum) {
-            const glm::dvec3 from(walk.columns.local(entry), walk.rows.local(entry), zEntry);
-            const DepthBelowSurface below = depthBelowSurface(cell, from, direction);
-            if (const auto s = firstCrossing(below); s && entry + *s <= exit)
+/// `endsOnFloor`: the walk ends on z = 1, where everything is solid.
+std::optional<Crossing> walkToSurface(CellWalk walk, bool endsOnFloor) {
+    for (bool first = true;; first = false, walk.step()) {
+        const BilinearCell cell = walk.surface();
+        if (walk.deepest() >= cell.minimum) {
+            const DepthBelowSurface below = walk.below(cell);
+            const double entry = walk.entry();
+            if (const auto s = firstCrossing(below); s && entry + *s <= walk.exit())
                 return Crossing{entry + *s, first && below.constant > 0.0};
         }
-        if (last)  // no depth exceeds 1, so only rounding can bring a ray to the floor unhurt
-            return walk.endsOnFloor ? std::optional(Crossing{exit, false}) : std::nullopt;
-        (columnExit <= rowExit ? walk.columns : walk.rows).step();
-        entry = exit;
+        if (walk.isLast())  // no depth exceeds 1, so only rounding can bring a ray to the floor
+                            // unhurt
+            return endsOnFloor ? std::optional(Crossing{walk.exit(), false}) : std::nullopt;
     }
 }
 
@@ -202,15 +117,9 @@ std::optional<TileHit> traceBilinear(const DepthMap& map, const TileRay& ray,
     const double reach = std::scalbn(clipped->end - clipped->begin, exponent);
     const double tilesPerUnit = std::hypot(direction.x, map.aspect() * direction.y);
     const double limit = tilesPerUnit > 0.0 ? maxDistance / tilesPerUnit : kInfinity;
-    const CellWalk walk{
-        AxisWalk(texels.x, direction.x * size.x, map.width(), map.wrap),
-        AxisWalk(texels.y, direction.y * size.y, map.height(), map.wrap),
-        clipped->start.z,
-        direction.z,
-        std::min(reach, limit),
-        clipped->endsOnFloor && reach <= limit,
-    };
-    const std::optional<Crossing> crossing = walkToSurface(map, walk);
+    const std::optional<Crossing> crossing =
+        walkToSurface(CellWalk(map, clipped->start, direction, std::min(reach, limit)),
+                      clipped->endsOnFloor && reach <= limit);
     if (!crossing)
         return std::nullopt;
     return TileHit{clipped->begin + std::scalbn(crossing->t, -exponent),
@@ -219,10 +128,8 @@ std::optional<TileHit> traceBilinear(const DepthMap& map, const TileRay& ray,
 
 glm::dvec3 bilinearNormal(const DepthMap& map, double u, double v, double depthScale) {
     assert(map.width() > 0 && map.height() > 0);
-    const AxisWalk columns(u * map.width() - 0.5, 0.0, map.width(), map.wrap);
-    const AxisWalk rows(v * map.height() - 0.5, 0.0, map.height(), map.wrap);
-    const glm::dvec2 perTexel =
-        cellAt(map, columns, rows).gradient({columns.local(0.0), rows.local(0.0)});
+    const CellWalk walk(map, {u, v, 0.0}, glm::dvec3(0.0), 0.0);
+    const glm::dvec2 perTexel = walk.surface().gradient(walk.local(0.0));
     // Texels are square and width⁻¹ tile widths wide, so one factor serves both directions.
     const glm::dvec2 slope = depthScale * map.width() * perTexel;
     return glm::normalize(glm::dvec3(slope, 1.0));
