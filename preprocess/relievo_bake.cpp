@@ -5,6 +5,7 @@
 #include "preprocess/info_command.h"
 #include "preprocess/relief_command.h"
 #include "preprocess/sample_command.h"
+#include "preprocess/verify_command.h"
 
 int main(int argc, char** argv) {
     using namespace relievo;
@@ -16,14 +17,18 @@ int main(int argc, char** argv) {
     preprocess::ReliefArguments reliefArguments;
     preprocess::InfoArguments infoArguments;
     preprocess::SampleArguments sampleArguments;
+    preprocess::VerifyArguments verifyArguments;
     const CLI::App* relief = preprocess::addReliefCommand(app, reliefArguments);
     const CLI::App* info = preprocess::addInfoCommand(app, infoArguments);
+    const CLI::App* verify = preprocess::addVerifyCommand(app, verifyArguments);
     preprocess::addSampleCommand(app, sampleArguments);
     return commands::runProgram(app, argc, argv, [&] {
         if (relief->parsed())
             preprocess::runReliefCommand(reliefArguments);
         else if (info->parsed())
             preprocess::runInfoCommand(infoArguments);
+        else if (verify->parsed())
+            preprocess::runVerifyCommand(verifyArguments);
         else
             preprocess::runSampleCommand(sampleArguments);
     });
