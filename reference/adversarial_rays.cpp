@@ -22,27 +22,21 @@ struct Candidate {
     double ratio = std::numeric_limits<double>::infinity();  // texels per unit of depth
 };
 
-// What drawing a target needs: the place in texels, relative to texel centres, with the height of a
-// texel over its width.
+// What drawing a target needs; the place is in texels, relative to texel centres.
 struct Surroundings {
     const textures::DepthMap& map;
     glm::dvec2 place;
     double depth;
-    double texelAspect;
 
     [[nodiscard]] double distance(std::int64_t i, std::int64_t j) const {
         return std::hypot(static_cast<double>(i) - place.x,
-                          texelAspect * (static_cast<double>(j) - place.y));
+                          map.texelAspect * (static_cast<double>(j) - place.y));
     }
     [[nodiscard]] Candidate candidate(std::int64_t i, std::int64_t j) const {
         const double rise = depth - static_cast<double>(map.at(i, j));
         return rise > 0.0 ? Candidate{i, j, distance(i, j) / rise} : Candidate{i, j};
     }
 };
-
-double texelAspectOf(const textures::DepthMap& map) {
-    return map.aspect() * map.width() / map.height();
-}
 
 // From a texel at a random distance to better and better ones around it.
 Candidate climb(const Surroundings& around, RayNumbers& numbers) {
@@ -52,7 +46,7 @@ Candidate climb(const Surroundings& around, RayNumbers& numbers) {
     const double azimuth = 2.0 * kPi * numbers.unit();
     Candidate best = around.candidate(
         std::llround(around.place.x + radius * std::cos(azimuth)),
-        std::llround(around.place.y + radius * std::sin(azimuth) / around.texelAspect));
+        std::llround(around.place.y + radius * std::sin(azimuth) / around.map.texelAspect));
     for (int move = 0; move < kMoves; ++move) {
         const Candidate from = best;
         for (std::int64_t j = from.j - 1; j <= from.j + 1; ++j)
@@ -88,18 +82,16 @@ Heading alongTheGrid(const textures::DepthMap& map, RayNumbers& numbers) {
     constexpr std::array<glm::dvec2, 8> kSteps{
         {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
     const glm::dvec2 step = kSteps[static_cast<std::size_t>(numbers.below(8))];
-    const double texelAspect = texelAspectOf(map);
-    const double length = std::hypot(step.x, texelAspect * step.y) / map.width();
+    const double length = std::hypot(step.x, map.texelAspect * step.y) / map.width();
     return {step / glm::dvec2(map.width(), map.height()) / length, std::nullopt};
 }
 
 Heading upTheSlope(const textures::DepthMap& map, const glm::dvec2& place, RayNumbers& numbers) {
     const CellWalk walk(map, {place, 0.0}, glm::dvec3(0.0), 0.0);
     const glm::dvec2 slope = walk.surface().gradient(walk.local(0.0));
-    const double texelAspect = texelAspectOf(map);
     if (slope.x == 0.0 && slope.y == 0.0)
         return towards(map, 2.0 * kPi * numbers.unit());
-    return towards(map, std::atan2(-slope.y / texelAspect, -slope.x));
+    return towards(map, std::atan2(-slope.y / map.texelAspect, -slope.x));
 }
 
 double drawElevation(RayNumbers& numbers) {
@@ -166,8 +158,7 @@ Heading drawHeading(const textures::DepthMap& map, const glm::dvec2& place, doub
                     RayNumbers& numbers) {
     const int kind = numbers.below(8);
     if (kind < 4) {
-        const Surroundings around{map, place * glm::dvec2(map.width(), map.height()) - 0.5, depth,
-                                  texelAspectOf(map)};
+        const Surroundings around{map, place * glm::dvec2(map.width(), map.height()) - 0.5, depth};
         if (const std::optional<Heading> heading = headingToTarget(around, numbers))
             return *heading;
     }

@@ -130,8 +130,8 @@ glm::dvec3 bilinearNormal(const DepthMap& map, double u, double v, double depthS
     assert(map.width() > 0 && map.height() > 0);
     const CellWalk walk(map, {u, v, 0.0}, glm::dvec3(0.0), 0.0);
     const glm::dvec2 perTexel = walk.surface().gradient(walk.local(0.0));
-    // Texels are square and width⁻¹ tile widths wide, so one factor serves both directions.
-    const glm::dvec2 slope = depthScale * map.width() * perTexel;
+    const glm::dvec2 texel(1.0, map.texelAspect);  // in texel widths, of which a tile has `width`
+    const glm::dvec2 slope = depthScale * map.width() * perTexel / texel;
     return glm::normalize(glm::dvec3(slope, 1.0));
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -44,21 +43,6 @@ bool isAlpha(std::string_view name) {
     return name == "A" || name == "Alpha" || name == "alpha";
 }
 
-/// The channel with the asked name, or else with the asked number.
-int explicitChannel(const std::vector<std::string>& names, const Request& request) {
-    const std::string& wanted = request.options.channel;
-    if (const std::optional<int> index = indexOf(names, wanted))
-        return *index;
-    int number = -1;
-    const char* const end = wanted.data() + wanted.size();
-    const auto [stop, error] = std::from_chars(wanted.data(), end, number);
-    if (error != std::errc() || stop != end || number < 0 ||
-        number >= static_cast<int>(names.size()))
-        request.reject(fmt::format("has no channel '{}', expected one of {} (or 0 to {})", wanted,
-                                   fmt::join(names, ", "), names.size() - 1));
-    return number;
-}
-
 Plane luminance(const Plane& red, const Plane& green, const Plane& blue) {
     Plane result(red.width, red.height);
     for (std::size_t t = 0; t < result.texels.size(); ++t)
@@ -85,7 +69,7 @@ Plane readChosenChannel(ImageReader& reader, const Request& request) {
     const std::vector<std::string>& names = reader.info().channelNames;
     const auto only = [&](int channel) { return reader.readChannels(channel, 1).front(); };
     if (!request.options.channel.empty())
-        return only(explicitChannel(names, request));
+        return only(reader.channelIndex(request.options.channel));
     if (std::count_if(names.begin(), names.end(), std::not_fn(isAlpha)) == 1)
         return only(static_cast<int>(std::find_if_not(names.begin(), names.end(), isAlpha) -
                                      names.begin()));

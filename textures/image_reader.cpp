@@ -2,8 +2,11 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -140,6 +143,21 @@ ImageReader::ImageReader(std::filesystem::path file, double largest) : file_(std
 }
 
 ImageReader::~ImageReader() = default;
+
+int ImageReader::channelIndex(const std::string& nameOrNumber) const {
+    const std::vector<std::string>& names = info_.channelNames;
+    if (const auto named = std::find(names.begin(), names.end(), nameOrNumber);
+        named != names.end())
+        return static_cast<int>(named - names.begin());
+    int number = -1;
+    const char* const end = nameOrNumber.data() + nameOrNumber.size();
+    const auto [stop, error] = std::from_chars(nameOrNumber.data(), end, number);
+    if (error != std::errc() || stop != end || number < 0 ||
+        number >= static_cast<int>(names.size()))
+        reject(file_, fmt::format("has no channel '{}', expected one of {} (or 0 to {})",
+                                  nameOrNumber, fmt::join(names, ", "), names.size() - 1));
+    return number;
+}
 
 std::vector<Plane> ImageReader::readChannels(int first, int count) {
     assert(first >= 0 && count >= 1 &&

@@ -42,6 +42,10 @@ class ImageReader {
 
     [[nodiscard]] const ImageInfo& info() const noexcept { return info_; }
 
+    /// The channel with this name, or else with this number, from 0. Throws InputError when there
+    /// is neither.
+    [[nodiscard]] int channelIndex(const std::string& nameOrNumber) const;
+
     /// The samples of `count` channels from `first` on, decoded in one pass; 8/16-bit integers as
     /// code/maximum, rounded once. Throws InputError when the file is truncated or damaged.
     [[nodiscard]] std::vector<Plane> readChannels(int first, int count);
