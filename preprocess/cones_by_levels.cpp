@@ -37,28 +37,35 @@ std::vector<float> leastDepths(const Plane& depth, int levels) {
     return depths;
 }
 
+// Memory that is used again for each class.
+struct Scratch {
+    std::vector<std::uint8_t> set;
+    SquaredDistances distances;
+};
+
 // Takes the minimum with the bound by one class: its texels and the higher ones are those less deep
 // than `end`, all at least `least` deep.
-void narrowByClass(const textures::DepthMap& map, float least, float end, Plane& ratio) {
+void narrowByClass(const textures::DepthMap& map, float least, float end, Scratch& scratch,
+                   Plane& ratio) {
     const std::vector<float>& depths = map.depth.texels;
-    std::vector<std::uint8_t> set(depths.size());
-    std::transform(depths.begin(), depths.end(), set.begin(),
+    scratch.set.resize(depths.size());
+    std::transform(depths.begin(), depths.end(), scratch.set.begin(),
                    [end](float depth) { return depth < end ? std::uint8_t{1} : std::uint8_t{0}; });
-    const SquaredDistances distances = distancesTo(set, map.width(), map.height(), map.wrap);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, depths.size()),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                if (depths[k] <= least)
-                    continue;
-                // A texel is in its own class; the nearest other one is a texel away or more.
-                const auto squared =
-                    static_cast<double>(std::max<std::int64_t>(distances.texels[k], 1));
-                const double difference = static_cast<double>(depths[k]) - least;
-                const double bound = std::sqrt(squared) / map.width() / difference;
-                ratio.texels[k] = std::min(ratio.texels[k], roundDown(belowRounding(bound)));
-            }
-        });
+    measureDistances(scratch.set, map.width(), map.height(), map.wrap, scratch.distances);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, depths.size()),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                          for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                              if (depths[k] <= least)
+                                  continue;
+                              // A texel is in its own class; the nearest other one is a texel away
+                              // or more.
+                              const double squared = std::max(scratch.distances.texels[k], 1u);
+                              const double difference = static_cast<double>(depths[k]) - least;
+                              const double bound = std::sqrt(squared) / map.width() / difference;
+                              ratio.texels[k] =
+                                  std::min(ratio.texels[k], roundDown(belowRounding(bound)));
+                          }
+                      });
 }
 
 }  // namespace
@@ -69,8 +76,10 @@ Plane buildConesByLevels(const textures::DepthMap& map, int levels,
     const std::vector<float> least = leastDepths(map.depth, levels);
     Plane ratio(map.width(), map.height(), unlimited);
     const std::size_t texels = ratio.texels.size();
+    Scratch scratch;
     for (std::size_t k = 0; k < least.size(); ++k) {
-        narrowByClass(map, least[k], k + 1 < least.size() ? least[k + 1] : unlimited, ratio);
+        narrowByClass(map, least[k], k + 1 < least.size() ? least[k + 1] : unlimited, scratch,
+                      ratio);
         if (advance)
             advance(texels * (k + 1) / least.size() - texels * k / least.size());
     }
