@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/preprocess/random_set.h"
 #include "textures/input_error.h"
 
 namespace relievo::preprocess {
@@ -17,14 +18,6 @@ namespace {
 using textures::WrapMode;
 
 using Set = std::vector<std::uint8_t>;
-
-Set randomSet(int width, int height, unsigned oneIn, std::uint32_t seed) {
-    std::mt19937 generator(seed);
-    Set set(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    std::generate(set.begin(), set.end(),
-                  [&] { return generator() % oneIn == 0 ? std::uint8_t{1} : std::uint8_t{0}; });
-    return set;
-}
 
 // By trying every texel of the tile and its eight neighbours.
 std::uint32_t bruteForce(const Set& set, int width, int height, WrapMode wrap, int i, int j) {
