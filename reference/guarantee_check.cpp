@@ -4,12 +4,17 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "reference/adversarial_rays.h"
+#include "reference/roof_map.h"
 #include "reference/surface_crossings.h"
 #include "textures/bilinear.h"
 #include "textures/storage_format.h"
@@ -72,6 +77,35 @@ std::optional<AllowedStep> drawConeStep(const DepthMap& relief, const Plane& rat
     return AllowedStep{*ray, length, i, j};
 }
 
+// Cells have their corners at texel centres: half a texel from where squares have theirs.
+glm::dvec2 drawPlaceInCell(const DepthMap& relief, RayNumbers& numbers) {
+    const glm::dvec2 place =
+        drawPlace(relief, numbers) + 0.5 / glm::dvec2(relief.width(), relief.height());
+    return place - glm::floor(place);
+}
+
+std::optional<AllowedStep> drawRoofStep(const DepthMap& relief, const RoofMap& roofs,
+                                        RayNumbers numbers) {
+    const glm::dvec2 size(relief.width(), relief.height());
+    const glm::dvec2 place = drawPlaceInCell(relief, numbers);
+    const double depth = textures::sampleBilinear(relief.depth, place.x, place.y, relief.wrap);
+    const Heading heading = drawHeading(relief, place, depth, numbers);
+    const glm::dvec2 texels = place * size - 0.5;
+    const auto column = static_cast<std::int64_t>(std::floor(texels.x));
+    const auto row = static_cast<std::int64_t>(std::floor(texels.y));
+    const RoofCone cone = roofConeAt(roofs, relief, column, row, heading.direction);
+    const std::optional<TileRay> ray = drawRay(place, std::min(cone.roof, depth), heading, numbers);
+    if (!ray)
+        return std::nullopt;
+    const glm::dvec3& direction = ray->direction;
+    const double gap = cone.roof - ray->origin.z;
+    const double byCone = coneStep(relief, direction, cone.ratio, gap);
+    const double byBlock =
+        std::min(coneStep(relief, direction, std::numeric_limits<double>::infinity(), gap),
+                 blockExit(texels, glm::dvec2(direction) * size, column, row, roofs.block));
+    return AllowedStep{*ray, std::max(byCone, byBlock), cone.i, cone.j};
+}
+
 // The part of a step before the ray reaches the highest point of the relief is free without a look.
 struct FreeStart {
     TileRay rest;
@@ -100,15 +134,21 @@ Excursion breach(const DepthMap& relief, const AllowedStep& step, ConePromise pr
     return excursion;
 }
 
-void summarizeRatios(const Plane& ratio, GuaranteeReport& report) {
+GuaranteeReport reportOn(const Tally& tally, std::uint64_t rays,
+                         std::span<const Plane* const> ratios) {
+    GuaranteeReport report{rays, tally.violations, tally.worst, 0.0, 0};
     double sum = 0.0;
-    for (const float value : ratio.texels)
-        if (value >= textures::kLargestHalf)
-            ++report.unlimited;
-        else
-            sum += static_cast<double>(value);
-    const std::uint64_t limited = ratio.texels.size() - report.unlimited;
+    std::uint64_t limited = 0;
+    for (const Plane* ratio : ratios)
+        for (const float value : ratio->texels)
+            if (value >= textures::kLargestHalf) {
+                ++report.unlimited;
+            } else {
+                sum += static_cast<double>(value);
+                ++limited;
+            }
     report.meanRatio = limited > 0 ? sum / static_cast<double>(limited) : 0.0;
+    return report;
 }
 
 // `draw` gives the step of the ray with these numbers, or nothing.
@@ -148,9 +188,20 @@ GuaranteeReport checkCones(const DepthMap& relief, const Plane& ratio, ConePromi
     const Tally tally = checkSteps(relief, promise, options, [&](RayNumbers numbers) {
         return drawConeStep(relief, ratio, numbers);
     });
-    GuaranteeReport report{options.rays, tally.violations, tally.worst, 0.0, 0};
-    summarizeRatios(ratio, report);
-    return report;
+    return reportOn(tally, options.rays, std::array{&ratio});
+}
+
+GuaranteeReport checkRoofs(const DepthMap& relief, const RoofMap& roofs,
+                           const GuaranteeCheckOptions& options) {
+    assert(relief.width() > 0 && relief.height() > 0);
+    assert(roofs.layers.size() == 1 || roofs.layers.size() == 4 || roofs.layers.size() == 8);
+    const Tally tally =
+        checkSteps(relief, ConePromise::Conservative, options,
+                   [&](RayNumbers numbers) { return drawRoofStep(relief, roofs, numbers); });
+    std::vector<const Plane*> ratios;
+    for (const RoofLayer& layer : roofs.layers)
+        ratios.push_back(&layer.ratio);
+    return reportOn(tally, options.rays, ratios);
 }
 
 }  // namespace relievo::reference

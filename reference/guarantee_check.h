@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "reference/bilinear_tracer.h"
+#include "reference/roof_map.h"
 #include "textures/depth_map.h"
 #include "textures/plane.h"
 
@@ -57,5 +58,11 @@ struct GuaranteeReport {
 /// than kPiercingDepth does not count. The report depends on the arguments alone, not on threads.
 GuaranteeReport checkCones(const textures::DepthMap& relief, const textures::Plane& ratio,
                            ConePromise promise, const GuaranteeCheckOptions& options = {});
+
+/// The same for roof cones, which promise what conservative ones do: from (P,z) in a cell, z above
+/// its roof, the step goes on to the later of where the ray leaves the cone with its apex on the
+/// roof, and of where it comes down to the roof or leaves the block, whichever is first.
+GuaranteeReport checkRoofs(const textures::DepthMap& relief, const RoofMap& roofs,
+                           const GuaranteeCheckOptions& options = {});
 
 }  // namespace relievo::reference
