@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "commands/program.h"
 #include "commands/progress.h"
@@ -33,7 +34,10 @@ GuaranteeReport check(const ConesToVerify& cones, const VerifyArguments& argumen
     options.seed = arguments.seed;
     commands::Progress progress("rays", options.rays);
     options.advance = [&](std::size_t rays) { progress.advance(rays); };
-    return reference::checkCones(cones.relief, cones.ratio, cones.promise, options);
+    if (const auto* roofs = std::get_if<reference::RoofMap>(&cones.cones))
+        return reference::checkRoofs(cones.relief, *roofs, options);
+    const auto& surface = std::get<SurfaceCones>(cones.cones);
+    return reference::checkCones(cones.relief, surface.ratio, surface.promise, options);
 }
 
 Json describe(const glm::dvec3& vector) {
@@ -60,7 +64,8 @@ Json describe(const Verdict& verdict) {
 
 // What went wrong with a step, as the end of a sentence about the promise.
 const char* breachOf(const ConesToVerify& cones) {
-    return cones.promise == reference::ConePromise::Relaxed
+    const auto* surface = std::get_if<SurfaceCones>(&cones.cones);
+    return surface != nullptr && surface->promise == reference::ConePromise::Relaxed
                ? "comes out of the relief again by"
                : "passes the first hit and is below the surface by";
 }
@@ -96,11 +101,12 @@ void addOptionsForOtherTools(CLI::App& command, VerifyArguments& arguments) {
     };
     add("--cone-channel", arguments.coneChannel,
         "Channel of the cones, by number or name [the only one]");
+    add("--roof-channel", arguments.roofChannel, "Channel of the roofs of --kind roof, as depths");
     add("--depth-channel", arguments.depthChannel,
         "Channel of the depths or heights, by number or name");
     add("--depth", arguments.depthFile, "Image with the depths or heights, if not in FILE");
     add("--kind", arguments.kind, "What the cones promise [conservative]")
-        ->check(CLI::IsMember({"conservative", "relaxed"}));
+        ->check(CLI::IsMember({"conservative", "relaxed", "roof"}));
     add("--encode", arguments.encoding, "Cones as ratios or as radii = ratio·depth [ratio]")
         ->check(CLI::IsMember({"ratio", "radius"}));
     add("--wrap", arguments.wrap, "How the relief continues outside its tile [repeat]")

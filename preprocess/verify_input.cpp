@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "commands/program.h"
@@ -36,6 +38,7 @@ void refuseOptionsOfOtherTools(const VerifyArguments& arguments) {
         {"--depth", !arguments.depthFile.empty()},
         {"--depth-channel", !arguments.depthChannel.empty()},
         {"--cone-channel", !arguments.coneChannel.empty()},
+        {"--roof-channel", !arguments.roofChannel.empty()},
         {"--kind", !arguments.kind.empty()},
         {"--encode", !arguments.encoding.empty()},
         {"--wrap", !arguments.wrap.empty()},
@@ -50,51 +53,116 @@ void refuseOptionsOfOtherTools(const VerifyArguments& arguments) {
                             arguments.file, option));
 }
 
+// The attribute `name` of `maps`, or `otherwise` when it has none.
+std::string attributeOf(const textures::MapSet& maps, const std::string& name,
+                        const std::string& otherwise) {
+    const auto found = maps.attributes.find(name);
+    return found == maps.attributes.end() ? otherwise : found->second;
+}
+
+int blockOf(const textures::MapSet& maps, const std::string& file) {
+    const std::string text = attributeOf(maps, "relievo:block", "1");
+    int block = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), block);
+    if (error != std::errc() || stop != text.data() + text.size() || block < 1)
+        throw InputError(
+            fmt::format("{}: its attribute 'relievo:block' is '{}', expected a number "
+                        "of cells from 1",
+                        file, text));
+    return block;
+}
+
+std::string describeRoofs(const reference::RoofMap& roofs) {
+    const std::size_t sectors = roofs.layers.size();
+    return fmt::format("roof cones in {} {}", sectors, sectors == 1 ? "sector" : "sectors");
+}
+
+std::vector<ConesToVerify> surfaceConesOf(const textures::MapSet& maps,
+                                          const textures::DepthMap& relief) {
+    const Plane* cone = maps.find("cone");
+    if (cone == nullptr)
+        return {};
+    const std::string kind = attributeOf(maps, "relievo:cone", kConservative);
+    return {{kind + " cones", relief,
+             SurfaceCones{decodeCones(*cone, relief.depth, maps.encoding), promiseOf(kind)}}};
+}
+
+// `roof` and `ratio` are one layer, `roof0` and `ratio0` on four or eight.
+std::vector<ConesToVerify> roofConesOf(const textures::MapSet& maps,
+                                       const textures::DepthMap& relief, const std::string& file) {
+    reference::RoofMap roofs;
+    const auto addLayer = [&](const std::string& index) {
+        const Plane* roof = maps.find("roof" + index);
+        const Plane* ratio = maps.find("ratio" + index);
+        if ((roof == nullptr) != (ratio == nullptr))
+            throw InputError(fmt::format("{}: lacks the channel '{}{}', which goes with '{}{}'",
+                                         file, roof == nullptr ? "roof" : "ratio", index,
+                                         roof == nullptr ? "ratio" : "roof", index));
+        if (roof != nullptr)
+            roofs.layers.push_back({*roof, *ratio});
+        return roof != nullptr;
+    };
+    if (!addLayer(""))
+        for (int k = 0; addLayer(std::to_string(k));)
+            ++k;
+    const std::size_t layers = roofs.layers.size();
+    if (layers == 0)
+        return {};
+    if (layers != 1 && layers != 4 && layers != 8)
+        throw InputError(
+            fmt::format("{}: has {} layers of roof cones, expected 1, 4 or 8", file, layers));
+    roofs.block = blockOf(maps, file);
+    return {{describeRoofs(roofs), relief, std::move(roofs)}};
+}
+
 std::vector<ConesToVerify> conesOfMapFile(const VerifyArguments& arguments) {
     refuseOptionsOfOtherTools(arguments);
     const textures::MapSet maps = textures::readMapFile(arguments.file);
-    const Plane* cone = maps.find("cone");
-    if (cone == nullptr)
-        throw InputError(
-            fmt::format("{}: holds no cones, expected the channel 'cone'", arguments.file));
     textures::DepthMap relief;
     try {
         relief = textures::depthMapOf(maps);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", arguments.file, error.what()));
     }
-    const auto named = maps.attributes.find("relievo:cone");
-    const std::string kind = named == maps.attributes.end() ? kConservative : named->second;
-    Plane ratio = decodeCones(*cone, relief.depth, maps.encoding);
-    return {{kind + " cones", std::move(relief), std::move(ratio), promiseOf(kind)}};
+    std::vector<ConesToVerify> all = surfaceConesOf(maps, relief);
+    std::ranges::move(roofConesOf(maps, relief, arguments.file), std::back_inserter(all));
+    if (all.empty())
+        throw InputError(fmt::format(
+            "{}: holds no cones, expected the channel 'cone', 'roof' or 'roof0'", arguments.file));
+    return all;
 }
 
-void checkConeValues(const Plane& cone, const std::string& file) {
-    const auto bad = std::find_if(cone.texels.begin(), cone.texels.end(),
+void checkValues(const Plane& plane, const std::string& file) {
+    const auto bad = std::find_if(plane.texels.begin(), plane.texels.end(),
                                   [](float value) { return !(value >= 0.0f); });
-    if (bad == cone.texels.end())
+    if (bad == plane.texels.end())
         return;
-    const auto texel = static_cast<int>(bad - cone.texels.begin());
-    throw InputError(fmt::format("{}: has the cone {} at texel {},{}, expected values from 0", file,
-                                 *bad, texel % cone.width, texel / cone.width));
+    const auto texel = static_cast<int>(bad - plane.texels.begin());
+    throw InputError(fmt::format("{}: has the value {} at texel {},{}, expected values from 0",
+                                 file, *bad, texel % plane.width, texel / plane.width));
 }
 
-Plane readConeChannel(const VerifyArguments& arguments) {
-    textures::ImageReader reader(arguments.file);
+// The channel called `channel`, or the only one.
+Plane readChannel(const std::string& file, const std::string& channel, const char* option) {
+    textures::ImageReader reader(file);
     const std::size_t channels = reader.info().channelNames.size();
-    if (arguments.coneChannel.empty() && channels > 1)
+    if (channel.empty() && channels > 1)
         throw UsageError(
-            fmt::format("{}: is no map file of relievo-bake and has {} channels, so --cone-channel "
-                        "must say which one holds the cones",
-                        arguments.file, channels));
-    const int channel =
-        arguments.coneChannel.empty() ? 0 : reader.channelIndex(arguments.coneChannel);
-    Plane cone = std::move(reader.readChannels(channel, 1).front());
+            fmt::format("{}: is no map file of relievo-bake and has {} channels, so "
+                        "{} must say which one is meant",
+                        file, channels, option));
+    const int index = channel.empty() ? 0 : reader.channelIndex(channel);
+    Plane plane = std::move(reader.readChannels(index, 1).front());
+    checkValues(plane, file);
+    return plane;
+}
+
+Plane readRatios(const VerifyArguments& arguments) {
+    Plane ratio = readChannel(arguments.file, arguments.coneChannel, "--cone-channel");
     const auto scale = static_cast<float>(arguments.coneScale.value_or(1.0));
-    for (float& value : cone.texels)
+    for (float& value : ratio.texels)
         value *= scale;
-    checkConeValues(cone, arguments.file);
-    return cone;
+    return ratio;
 }
 
 textures::DepthMap readDepths(const VerifyArguments& arguments) {
@@ -114,16 +182,27 @@ textures::DepthMap readDepths(const VerifyArguments& arguments) {
 }
 
 std::vector<ConesToVerify> conesOfOtherTool(const VerifyArguments& arguments) {
-    textures::DepthMap relief = readDepths(arguments);
-    const Plane cone = readConeChannel(arguments);
-    if (cone.width != relief.width() || cone.height != relief.height())
-        throw InputError(fmt::format("{}: has {}×{} cones, expected {}×{} like the depths in {}",
-                                     arguments.file, cone.width, cone.height, relief.width(),
-                                     relief.height(), arguments.depthFile));
     const std::string kind = orElse(arguments.kind, kConservative);
-    Plane ratio = decodeCones(cone, relief.depth,
-                              *textures::coneEncodingFromName(orElse(arguments.encoding, "ratio")));
-    return {{kind + " cones", std::move(relief), std::move(ratio), promiseOf(kind)}};
+    const bool isRoof = kind == "roof";
+    if (isRoof == arguments.roofChannel.empty())
+        throw UsageError("--kind roof and --roof-channel go together");
+    if (isRoof && !arguments.encoding.empty())
+        throw UsageError("--encode: roof cones are ratios");
+    textures::DepthMap relief = readDepths(arguments);
+    Plane ratio = readRatios(arguments);
+    if (ratio.width != relief.width() || ratio.height != relief.height())
+        throw InputError(fmt::format("{}: has {}×{} cones, expected {}×{} like the depths in {}",
+                                     arguments.file, ratio.width, ratio.height, relief.width(),
+                                     relief.height(), arguments.depthFile));
+    if (isRoof) {
+        Plane roof = readChannel(arguments.file, arguments.roofChannel, "--roof-channel");
+        reference::RoofMap roofs{{{std::move(roof), std::move(ratio)}}, 1};
+        return {{describeRoofs(roofs), std::move(relief), std::move(roofs)}};
+    }
+    const textures::ConeEncoding encoding =
+        *textures::coneEncodingFromName(orElse(arguments.encoding, "ratio"));
+    ratio = decodeCones(ratio, relief.depth, encoding);
+    return {{kind + " cones", std::move(relief), SurfaceCones{std::move(ratio), promiseOf(kind)}}};
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "reference/guarantee_check.h"
+#include "reference/roof_map.h"
 #include "textures/depth_map.h"
 #include "textures/plane.h"
 
@@ -21,6 +23,7 @@ struct VerifyArguments {
     std::string depthFile;
     std::string depthChannel;
     std::string coneChannel;
+    std::string roofChannel;
     std::string kind;
     std::string encoding;
     std::string wrap;
@@ -28,17 +31,22 @@ struct VerifyArguments {
     std::optional<double> coneScale;
 };
 
-/// Cones to check, over the relief they are for.
-struct ConesToVerify {
-    std::string description;  ///< "conservative cones"
-    textures::DepthMap relief;
+/// Conservative or relaxed cones with their apexes on the surface.
+struct SurfaceCones {
     textures::Plane ratio;  ///< tile widths per unit of depth
     reference::ConePromise promise = reference::ConePromise::Conservative;
 };
 
-/// The cones in a map file, or in an image of another tool as the arguments describe it. Throws
-/// InputError for a file that cannot be read, holds no cones or values that cannot be cones, and
-/// UsageError for options that do not go with the file.
+/// A map to check, over the relief it is for.
+struct ConesToVerify {
+    std::string description;  ///< "conservative cones"
+    textures::DepthMap relief;
+    std::variant<SurfaceCones, reference::RoofMap> cones;
+};
+
+/// The maps with a promise in a map file, or in an image of another tool as the arguments describe
+/// it. Throws InputError for a file that cannot be read, holds no cones or values that cannot be
+/// cones, and UsageError for options that do not go with the file.
 std::vector<ConesToVerify> readConesToVerify(const VerifyArguments& arguments);
 
 }  // namespace relievo::preprocess

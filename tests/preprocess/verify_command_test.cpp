@@ -125,6 +125,58 @@ TEST_F(Verify, FilesOfOtherTools) {
     expectPassed(foreign(foreignFile("down.png", kSafeCode)) + Words{"--wrap", "clamp"});
 }
 
+// On the ridge the roof of a cell is three texels of slope above its surface, and one more level
+// cell than the block is at least a texel away.
+TEST_F(Verify, RoofCones) {
+    textures::MapSet maps;
+    const Plane depth = ridge();
+    Plane roof(kWidth, kHeight);
+    for (int j = 0; j < kHeight; ++j)
+        for (int i = 0; i < kWidth; ++i) {
+            roof.at(i, j) = 1.0f;
+            for (int x = -1; x <= 2; ++x)
+                roof.at(i, j) = std::min(roof.at(i, j), depth.at((i + x + kWidth) % kWidth, j));
+        }
+    const auto write = [&](const std::string& name, const std::vector<std::string>& layers,
+                           float ratio, float roofScale, const std::string& block) {
+        maps.channels = {{"depth", depth}};
+        maps.attributes = {{"relievo:cone", "roof"}, {"relievo:block", block}};
+        Plane roofs = roof;
+        for (float& value : roofs.texels)
+            value *= roofScale;
+        for (const std::string& layer : layers) {
+            maps.channels.push_back({"roof" + layer, roofs});
+            maps.channels.push_back({"ratio" + layer, Plane(kWidth, kHeight, ratio)});
+        }
+        textures::writeMapFile(folder.file(name), maps, textures::StorageFormat::Float);
+        return folder.file(name);
+    };
+    const Words rays{"--rays", "4e4"};
+    const Words four{"0", "1", "2", "3"};
+    expectPassed(Words{"verify", write("one.exr", {""}, kSafeRatio, 1.0f, "1")} + rays);
+    expectPassed(Words{"verify", write("four.exr", four, kSafeRatio, 1.0f, "1")} + rays);
+    expectGuilty(Words{"verify", write("wide.exr", {""}, 1.5f, 1.0f, "1")} + rays);
+    expectGuilty(Words{"verify", write("deep.exr", four, kSafeRatio, 1.2f, "1")} + rays);
+    expectGuilty(Words{"verify", write("block.exr", four, kSafeRatio, 1.0f, "3")} + rays);
+    expectRefused({"verify", write("three.exr", {"0", "1", "2"}, 0.5f, 1.0f, "1")}, 1,
+                  "3 layers of roof cones");
+    expectRefused({"verify", write("word.exr", {""}, 0.5f, 1.0f, "few")}, 1, "relievo:block");
+    maps.channels.pop_back();
+    textures::writeMapFile(folder.file("half.exr"), maps, textures::StorageFormat::Float);
+    expectRefused({"verify", folder.file("half.exr")}, 1, "lacks the channel 'ratio'");
+
+    const std::string foreignRoofs = folder.file("foreign.exr");
+    textures::writePicture(foreignRoofs,
+                           std::array{depth, roof, Plane(kWidth, kHeight, kSafeRatio)},
+                           textures::StorageFormat::Float);
+    const Words command = Words{"verify",  foreignRoofs, "--depth-channel", "R",
+                                "--input", "depth",      "--cone-channel",  "B"} +
+                          rays;
+    expectPassed(command + Words{"--kind", "roof", "--roof-channel", "G"});
+    expectRefused(command + Words{"--kind", "roof"}, 2, "--roof-channel");
+    expectRefused(command + Words{"--roof-channel", "G"}, 2, "--kind roof");
+}
+
 TEST_F(Verify, DepthsInAFileOfTheirOwn) {
     const std::string cones = folder.file("cones.png");
     textures::writePicture(cones, std::array{Plane(kWidth, kHeight, kSafeCode)},
@@ -187,7 +239,7 @@ TEST_F(Verify, WrongUsageAndFilesThatCannotBeChecked) {
     textures::writeMapFile(folder.file("cone.exr"), depthOnly, textures::StorageFormat::Float);
     expectRefused({"verify", folder.file("cone.exr")}, 1, "depth");
     const std::string negative = foreignFile("negative.exr", -0.5f, textures::StorageFormat::Float);
-    expectRefused(foreign(negative), 1, "has the cone -0.5 at texel 0,0");
+    expectRefused(foreign(negative), 1, "has the value -0.5 at texel 0,0");
 }
 
 }  // namespace
