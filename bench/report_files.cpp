@@ -25,7 +25,7 @@ ReportFiles::ReportFiles(const ReportPaths& paths) {
 void ReportFiles::write(const nlohmann::ordered_json& report, const Plot& plot) {
     if (json_) {
         const std::string text = report.dump(2) + "\n";
-        json_->write(std::as_bytes(std::span(text)));
+        json_->writeAt(0, std::as_bytes(std::span(text)));
         json_->commit();
     }
     if (plot_) {

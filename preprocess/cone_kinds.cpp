@@ -21,8 +21,7 @@ std::vector<std::string> surfaceConeChannels(const ReliefPlan&) {
 
 // Cones whose apex lies on the surface, from ratios: the channel `cone`.
 void addSurfaceCones(const MapRequest& request, Plane ratio, MapSet& maps) {
-    maps.encoding = request.plan.encoding;
-    encodeConesInPlace(ratio, request.relief.depth, request.plan.encoding);
+    encodeConesInPlace(ratio, request.relief.depth, coneEncoding(request.plan));
     maps.channels.push_back({"cone", std::move(ratio)});
 }
 
@@ -42,8 +41,8 @@ std::string buildByLevels(const MapRequest& request, MapSet& maps) {
 }
 
 constexpr ConeKind kKinds[] = {
-    {"conservative", "texel", "exact", 40.0, surfaceConeChannels, buildConservative},
-    {"conservative", "texel", "levels", 40.0, surfaceConeChannels, buildByLevels},
+    {"conservative", "texel", "exact", true, 40.0, surfaceConeChannels, buildConservative},
+    {"conservative", "texel", "levels", true, 40.0, surfaceConeChannels, buildByLevels},
 };
 
 bool fits(const std::string& wanted, std::string_view word) {
@@ -62,6 +61,11 @@ const ConeKind* findConeKind(const ReliefPlan& plan) {
                fits(plan.method, kind.method);
     });
     return found == std::end(kKinds) ? nullptr : &*found;
+}
+
+textures::ConeEncoding coneEncoding(const ReliefPlan& plan) {
+    return plan.encoding.value_or(findConeKind(plan)->isOnSurface ? textures::ConeEncoding::Radius
+                                                                  : textures::ConeEncoding::Ratio);
 }
 
 std::vector<std::string> coneWords(std::string_view ConeKind::*respect) {

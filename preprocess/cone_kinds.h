@@ -15,6 +15,7 @@ struct ConeKind {
     std::string_view cone;       ///< the word of `--cone`
     std::string_view guarantee;  ///< of `--guarantee`
     std::string_view method;     ///< of `--method`
+    bool isOnSurface;            ///< the channel is `cone`, a ratio over the surface, or a radius
     double workingBytes;         ///< as in MapKind
     /// As in MapKind.
     std::vector<std::string> (*channels)(const ReliefPlan& plan);
@@ -26,6 +27,10 @@ std::span<const ConeKind> coneKinds();
 
 /// The one that `plan` asks for, or null when there is none.
 const ConeKind* findConeKind(const ReliefPlan& plan);
+
+/// How a map file holds the cones of `plan`, which findConeKind must have: as the plan says, else
+/// radii for cones on the surface and ratios for cones on a roof, which have no radius.
+textures::ConeEncoding coneEncoding(const ReliefPlan& plan);
 
 /// The words of all kinds in one of the three respects, each once.
 std::vector<std::string> coneWords(std::string_view ConeKind::*respect);

@@ -33,6 +33,7 @@ std::string buildCones(const MapRequest& request, MapSet& maps) {
     maps.attributes["relievo:cone"] = kind.cone;
     maps.attributes["relievo:guarantee"] = kind.guarantee;
     maps.attributes["relievo:method"] = kind.method;
+    maps.encoding = coneEncoding(request.plan);
     return kind.build(request, maps);
 }
 

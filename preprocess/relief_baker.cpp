@@ -30,15 +30,7 @@ std::string problemOfMaps(const ReliefPlan& plan) {
                              : "";
 }
 
-std::string problemOfCones(const ReliefPlan& plan) {
-    if (!plan.has("cone"))
-        return "";
-    if (findConeKind(plan) != nullptr) {
-        // A radius alone says nothing: the search divides it by the depth.
-        return plan.encoding == textures::ConeEncoding::Radius && !plan.has("depth")
-                   ? "--maps: cones as radii need the map depth beside them"
-                   : "";
-    }
+std::string problemOfWords(const ReliefPlan& plan) {
     std::vector<std::string> offered;
     for (const ConeKind& kind : coneKinds())
         if (kind.cone == plan.cone)
@@ -50,6 +42,26 @@ std::string problemOfCones(const ReliefPlan& plan) {
     return fmt::format("--cone {}{}{}: not available, expected {}", plan.cone,
                        asked("method", plan.method), asked("guarantee", plan.guarantee),
                        fmt::join(offered, ", or "));
+}
+
+std::string problemOfEncoding(const ReliefPlan& plan, const ConeKind& kind) {
+    const textures::ConeEncoding encoding = coneEncoding(plan);
+    // A radius alone says nothing: the search divides it by the depth.
+    if (encoding == textures::ConeEncoding::Radius && !plan.has("depth"))
+        return "--maps: cones as radii need the map depth beside them";
+    if (encoding == textures::ConeEncoding::Radius && !kind.isOnSurface)
+        return fmt::format("--encode radius: {} cones have none, expected ratio or sqrt",
+                           kind.cone);
+    if (encoding == textures::ConeEncoding::Sqrt && !textures::isPackedFormat(plan.format))
+        return "--encode sqrt: serves the formats u16 and u8, expected ratio or radius for .exr";
+    return "";
+}
+
+std::string problemOfCones(const ReliefPlan& plan) {
+    if (!plan.has("cone"))
+        return "";
+    const ConeKind* const kind = findConeKind(plan);
+    return kind == nullptr ? problemOfWords(plan) : problemOfEncoding(plan, *kind);
 }
 
 std::string problemOfChannels(const ReliefPlan& plan) {
@@ -79,7 +91,7 @@ textures::MapSet bakeRelief(textures::DepthMap relief, const ReliefPlan& plan,
                             const BakeObserver& observer) {
     if (const std::string problem = planProblem(plan); !problem.empty())
         throw std::invalid_argument(problem);
-    relief.depth = textures::storedValues(relief.depth, "depth", plan.format);
+    textures::storeInPlace(relief.depth, "depth", plan.format);
     textures::MapSet maps;
     maps.wrap = relief.wrap;
     maps.version = textures::kVersion;

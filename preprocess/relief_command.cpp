@@ -18,13 +18,15 @@
 #include "commands/progress.h"
 #include "preprocess/cone_kinds.h"
 #include "preprocess/map_kinds.h"
+#include "preprocess/memory_need.h"
 #include "preprocess/relief_baker.h"
 #include "textures/atomic_file.h"
+#include "textures/channel_rules.h"
 #include "textures/file_extension.h"
 #include "textures/height_image.h"
+#include "textures/image_reader.h"
 #include "textures/input_error.h"
 #include "textures/map_file.h"
-#include "textures/packed_codes.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -73,7 +75,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.cone = arguments.cone;
     job.plan.guarantee = arguments.guarantee;
     job.plan.method = arguments.method;
-    job.plan.encoding = *textures::coneEncodingFromName(arguments.encoding);
+    job.plan.encoding = textures::coneEncodingFromName(arguments.encoding);
     job.plan.format = formatFor(arguments);
     job.plan.normalScale = arguments.normalScale;
     job.input.isDepth = arguments.input == "depth";
@@ -122,23 +124,39 @@ MapSet bake(textures::DepthMap relief, const ReliefPlan& plan) {
     return bakeRelief(std::move(relief), plan, observer);
 }
 
-void warnOfPackedCones(const Plane& cone, StorageFormat format) {
-    if (const std::size_t zero = textures::countVanishing(cone, "cone", format); zero > 0)
+// What storing the widths of cones costs; they are never wider than true.
+void reportLoss(const textures::Channel& channel, const ReliefPlan& plan,
+                textures::ConeEncoding encoding) {
+    const textures::StorageLoss loss =
+        textures::storageLoss(channel.plane, channel.name, plan.format, encoding);
+    commands::say(
+        fmt::format("{:<10} {} as {} in {}: {:.4f} of the true width in the mean, {:.4f} at worst",
+                    "stored", channel.name, textures::coneEncodingName(encoding),
+                    textures::storageFormatName(plan.format), loss.meanShare, loss.worstShare));
+    if (loss.vanishing > 0)
         commands::note(fmt::format(
-            "{} cones are too narrow for {} and are stored as 0, where a search stalls: bake to "
-            "u16 or .exr",
-            zero, textures::storageFormatName(format)));
-    if (!textures::isPackedFormat(format))
-        return;
-    const double top = textures::packedRange(cone, "cone", format).high;
-    const auto wider = std::count_if(cone.texels.begin(), cone.texels.end(), [&](float value) {
-        return std::isfinite(value) && value > top;
-    });
-    if (wider > 0)
-        commands::note(
-            fmt::format("{} cones are wider than {}, the most that a packed file holds, "
-                        "and are narrowed: safe, with more steps",
-                        wider, top));
+            "{} cones are too narrow for {} and are stored as 0, where a search stalls: --encode "
+            "sqrt, u16 or .exr may hold them",
+            loss.vanishing, textures::storageFormatName(plan.format)));
+    if (loss.narrowed > 0)
+        commands::note(fmt::format(
+            "{} cones are wider than {}, the most that the file holds, and are narrowed: safe, "
+            "with more steps",
+            loss.narrowed, loss.widest));
+}
+
+void reportLosses(const MapSet& maps, const ReliefPlan& plan) {
+    for (const textures::Channel& channel : maps.channels)
+        if (const textures::ChannelRule rule = textures::channelRule(channel.name);
+            rule.rounding == textures::Rounding::Down && !rule.isUnitRange)
+            reportLoss(channel, plan, maps.encoding);
+}
+
+// The libraries and the system would end a program that takes more than there is, at any time.
+void requireRoom(const Job& job, const ReliefArguments& arguments) {
+    const textures::ImageReader header(arguments.height);
+    requireMemory(arguments.height, job.plan, header.info().width, header.info().height,
+                  availableMemory());
 }
 
 textures::HeightImage readInput(const Job& job, const ReliefArguments& arguments) {
@@ -194,9 +212,10 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->capture_default_str();
     add("--channel", arguments.channel,
         "Channel of the image, by number or name [Y, R, luminance]");
-    add("--encode", arguments.encoding, "Cones as ratios or as radii at the reference surface")
-        ->check(CLI::IsMember({"ratio", "radius"}))
-        ->capture_default_str();
+    add("--encode", arguments.encoding,
+        "Cones as ratios, as radii at the reference surface, or as square roots of ratios, which "
+        "serve 8 bits [radius]")
+        ->check(CLI::IsMember({"ratio", "radius", "sqrt"}));
     add("--format", arguments.format, "float, half (.exr), u16, u8 (.png, .tif) [float, u16]")
         ->check(CLI::IsMember({"float", "half", "u16", "u8"}));
     command
@@ -207,13 +226,16 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
     command
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")
         ->check(CLI::Range(1, kMostThreads));
-    command->footer(
-        "Memory: up to 150 bytes a texel, 2.5 GB for 4096×4096.\n"
+    const ReliefPlan usual;
+    command->footer(fmt::format(
+        "Memory: {:.0f} bytes a texel for the maps above, {} for 4096×4096. A map that would not "
+        "fit "
+        "is refused before the start.\n"
         "Examples:\n"
         "  relievo-bake relief bricks.png -o bricks.exr\n"
-        "  relievo-bake relief rock.tif -o rock.png --wrap mirror --format u8\n"
-        "  relievo-bake relief scan.exr -o maps.exr --input depth --channel Z --maps "
-        "depth,normal");
+        "  relievo-bake relief rock.tif -o rock.png --wrap mirror --format u8 --encode sqrt\n"
+        "  relievo-bake relief scan.exr -o maps.exr --input depth --channel Z --maps depth,normal",
+        memoryPerTexel(usual), memoryText(static_cast<double>(memoryNeed(usual, 4096, 4096)))));
     return command;
 }
 
@@ -227,11 +249,11 @@ void runReliefCommand(const ReliefArguments& arguments) {
             ? static_cast<std::size_t>(arguments.threads)
             : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 
+    requireRoom(job, arguments);
     textures::HeightImage image = readInput(job, arguments);
     MapSet maps = bake(std::move(image.depth), job.plan);
     maps.source = image.source;
-    if (const Plane* cone = maps.find("cone"))
-        warnOfPackedCones(*cone, job.plan.format);
+    reportLosses(maps, job.plan);
     writeOutput(job.plan, arguments, maps);
 }
 

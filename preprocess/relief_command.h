@@ -19,7 +19,7 @@ struct ReliefArguments {
     std::string wrap = "repeat";
     std::string input = "height";
     std::string channel;
-    std::string encoding = "radius";
+    std::string encoding;  ///< empty: that of the kind of cones
     std::string format;
     double normalScale = 0.1;
     int threads = 0;  ///< 0: all cores

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ struct ReliefPlan {
     std::string cone = "conservative";                                ///< words of coneKinds()
     std::string guarantee;  ///< "": the first that coneKinds() has for the rest
     std::string method;     ///< likewise
-    textures::ConeEncoding encoding = textures::ConeEncoding::Radius;
+    std::optional<textures::ConeEncoding> encoding;  ///< none: that of the kind of cones
     /// What the file will hold: the maps are those of the depths after this rounding.
     textures::StorageFormat format = textures::StorageFormat::Float;
     double normalScale = 0.1;  ///< depth scale of the map `normal`, in tile widths

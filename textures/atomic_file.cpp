@@ -102,13 +102,15 @@ AtomicFile::~AtomicFile() {
     discard();
 }
 
-void AtomicFile::write(std::span<const std::byte> bytes) {
+void AtomicFile::writeAt(std::int64_t offset, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written >= 0)
+        const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), offset);
+        if (written >= 0) {
             bytes = bytes.subspan(static_cast<std::size_t>(written));
-        else if (errno != EINTR)
+            offset += written;
+        } else if (errno != EINTR) {
             failToWrite(target_, errno);
+        }
     }
 }
 

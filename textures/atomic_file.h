@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 
@@ -22,8 +23,9 @@ class AtomicFile {
     /// because image libraries choose the format by it.
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
-    /// Appends `bytes`. Throws InputError with the system's reason, such as a full disk.
-    void write(std::span<const std::byte> bytes);
+    /// Puts `bytes` at `offset` ≥ 0 from the start of the file. Throws InputError with the system's
+    /// reason, such as a full disk.
+    void writeAt(std::int64_t offset, std::span<const std::byte> bytes);
 
     /// Flushes the temporary file to the disk and renames it to the target. Throws InputError with
     /// the system's reason.

@@ -19,6 +19,8 @@ namespace relievo::textures {
 namespace {
 
 constexpr int kLargestSide = 32768;
+/// As many as the formats compress together, at most.
+constexpr int kRowsAtOnce = 256;
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
 [[noreturn]] void reject(const std::filesystem::path& file, std::string_view what) {
@@ -109,19 +111,41 @@ ImageInfo describe(const OIIO::ImageSpec& spec) {
 struct ImageReader::Input {
     std::unique_ptr<OIIO::ImageInput> image;
 
+    /// Rows first to end−1 of some channels, interleaved. The TIFF reader fills strips that the
+    /// file lacks with zeros, and has a message but returns true.
+    template <class Sample>
+    bool readRows(int firstRow, int endRow, int firstChannel, int channels, OIIO::TypeDesc type,
+                  std::vector<Sample>& samples) const {
+        const OIIO::ImageSpec& spec = image->spec();
+        samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels) *
+                       static_cast<std::size_t>(endRow - firstRow));
+        const int end = firstChannel + channels;
+        const bool good =
+            spec.tile_width > 0
+                ? image->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + firstRow,
+                                    spec.y + endRow, spec.z, spec.z + 1, firstChannel, end, type,
+                                    samples.data())
+                : image->read_scanlines(0, 0, spec.y + firstRow, spec.y + endRow, spec.z,
+                                        firstChannel, end, type, samples.data());
+        return good && !image->has_error();
+    }
+
     /// Integers are divided by `maximum` here, once and in double: OpenImageIO multiplies by a
-    /// rounded inverse.
+    /// rounded inverse. The planes grow with what is read: a header alone gets no memory.
     template <class Sample>
     bool read(int first, std::vector<Plane>& planes, OIIO::TypeDesc type, double maximum) const {
+        const OIIO::ImageSpec& spec = image->spec();
         const std::size_t channels = planes.size();
-        const std::size_t texels = planes.front().texels.size();
-        std::vector<Sample> samples(channels * texels);
-        const int last = first + static_cast<int>(channels);
-        if (!image->read_image(0, 0, first, last, type, samples.data()))
-            return false;
-        for (std::size_t c = 0; c < channels; ++c)
-            for (std::size_t t = 0; t < texels; ++t)
-                planes[c].texels[t] = static_cast<float>(samples[t * channels + c] / maximum);
+        const int rowsAtOnce = spec.tile_width > 0 ? spec.tile_height : kRowsAtOnce;
+        std::vector<Sample> samples;
+        for (int row = 0; row < spec.height; row += rowsAtOnce) {
+            const int end = std::min(row + rowsAtOnce, spec.height);
+            if (!readRows(row, end, first, static_cast<int>(channels), type, samples))
+                return false;
+            for (std::size_t c = 0; c < channels; ++c)
+                for (std::size_t k = c; k < samples.size(); k += channels)
+                    planes[c].texels.push_back(static_cast<float>(samples[k] / maximum));
+        }
         return true;
     }
 };
@@ -162,7 +186,13 @@ int ImageReader::channelIndex(const std::string& nameOrNumber) const {
 std::vector<Plane> ImageReader::readChannels(int first, int count) {
     assert(first >= 0 && count >= 1 &&
            first + count <= static_cast<int>(info_.channelNames.size()));
-    std::vector<Plane> planes(static_cast<std::size_t>(count), Plane(info_.width, info_.height));
+    std::vector<Plane> planes(static_cast<std::size_t>(count));
+    for (Plane& plane : planes) {
+        plane.width = info_.width;
+        plane.height = info_.height;
+        plane.texels.reserve(static_cast<std::size_t>(info_.width) *
+                             static_cast<std::size_t>(info_.height));
+    }
     bool good = false;
     if (info_.type == SampleType::U8)
         good = input_->read<std::uint8_t>(first, planes, OIIO::TypeDesc::UINT8, 255.0);
@@ -170,9 +200,7 @@ std::vector<Plane> ImageReader::readChannels(int first, int count) {
         good = input_->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
     else
         good = input_->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
-    // The TIFF reader fills strips that the file lacks with zeros, and has a message but returns
-    // true.
-    if (!good || input_->image->has_error())
+    if (!good)
         reject(file_, fmt::format("is truncated or damaged ({}), expected a whole image",
                                   reason(input_->image->geterror())));
     return planes;

@@ -11,9 +11,9 @@
 namespace relievo::textures {
 
 /// What an image or a map file may take when decoded, in bytes: far beyond any texture, but short
-/// of what a damaged header can claim. A map of 8192² texels may have eight channels.
+/// of what a damaged header can claim. A map of 8192² texels may have 32 channels.
 inline constexpr double kLargestImage = 1024.0 * 1024.0 * 1024.0;
-inline constexpr double kLargestMap = 2.0 * kLargestImage;
+inline constexpr double kLargestMap = 8.0 * kLargestImage;
 
 /// How an image file holds its numbers. Other covers what is read as float: double, wide integers.
 enum class SampleType { U8, U16, Half, Float, Other };
@@ -47,7 +47,8 @@ class ImageReader {
     [[nodiscard]] int channelIndex(const std::string& nameOrNumber) const;
 
     /// The samples of `count` channels from `first` on, decoded in one pass; 8/16-bit integers as
-    /// code/maximum, rounded once. Throws InputError when the file is truncated or damaged.
+    /// code/maximum, rounded once. Takes little memory besides the planes, and no more than what
+    /// the file really holds. Throws InputError when the file is truncated or damaged.
     [[nodiscard]] std::vector<Plane> readChannels(int first, int count);
 
   private:

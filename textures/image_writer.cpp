@@ -4,10 +4,13 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
-#include <span>
+#include <utility>
 
 #include "textures/atomic_file.h"
 #include "textures/file_extension.h"
@@ -19,6 +22,9 @@ namespace {
 
 /// EXR and TIFF files carry a date: a fixed one, because the same maps must give the same bytes.
 constexpr const char* kFixedDate = "2000:01:01 00:00:00";
+
+/// A multiple of the 16 rows that EXR compresses together, and the side of a tile.
+constexpr int kRowsAtOnce = 64;
 
 OIIO::TypeDesc sampleType(StorageFormat format) {
     switch (format) {
@@ -34,73 +40,150 @@ OIIO::TypeDesc sampleType(StorageFormat format) {
     return OIIO::TypeDesc::UINT8;
 }
 
-OIIO::ImageSpec specOf(const ImageContent& content, bool isPng) {
-    const Plane& plane = content.planes.front();
-    OIIO::ImageSpec spec(plane.width, plane.height, static_cast<int>(content.planes.size()),
-                         sampleType(content.format));
-    if (!content.channelNames.empty()) {
-        spec.channelnames = content.channelNames;
+OIIO::ImageSpec specOf(const ImageDescription& description, const ImageLevel& level, bool isPng) {
+    OIIO::ImageSpec spec(level.width, level.height, static_cast<int>(level.channels.size()),
+                         sampleType(description.format));
+    if (!description.channelNames.empty()) {
+        spec.channelnames = description.channelNames;
         spec.alpha_channel = -1;
     }
-    for (const auto& [name, value] : content.attributes)
+    for (const auto& [name, value] : description.attributes)
         spec.attribute(name, value);
     spec.attribute("DateTime", kFixedDate);
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    // Without this PNG data would read back as colours. (TIFF needs none, and a TIFF file that is
-    // encoded in memory with sRGB comes out damaged.)
+    // Without this PNG data would read back as colours. (TIFF needs none, and a TIFF file with sRGB
+    // comes out damaged.)
     if (isPng)
-        spec.attribute("oiio:ColorSpace", content.isColour ? "sRGB" : "Linear");
+        spec.attribute("oiio:ColorSpace", description.isColour ? "sRGB" : "Linear");
     return spec;
 }
 
+/// Lets OpenImageIO write into an AtomicFile. Image libraries lose the reason why a write failed,
+/// and some the failure itself: it is kept here. It must not pass through their C code.
+class AtomicFileProxy : public OIIO::Filesystem::IOProxy {
+  public:
+    AtomicFileProxy(const std::string& name, AtomicFile& file)
+        : IOProxy(name, Write), file_(file) {}
+    [[nodiscard]] const char* proxytype() const override { return "atomic"; }
+    std::size_t write(const void* bytes, std::size_t size) override {
+        const std::size_t written = pwrite(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(written);
+        return written;
+    }
+    std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
+        if (failure_)
+            return 0;
+        try {
+            file_.writeAt(offset, {static_cast<const std::byte*>(bytes), size});
+        } catch (const InputError&) {
+            failure_ = std::current_exception();
+            return 0;
+        }
+        size_ = std::max(size_, static_cast<std::size_t>(offset) + size);
+        return size;
+    }
+    [[nodiscard]] std::size_t size() const override { return size_; }
+    void rethrowFailure() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+  private:
+    AtomicFile& file_;
+    std::size_t size_ = 0;
+    std::exception_ptr failure_;
+};
+
+/// Some rows of a level, interleaved as the file wants them.
 template <class Sample>
-std::vector<Sample> interleave(const std::vector<Plane>& planes) {
-    std::vector<Sample> samples(planes.size() * planes.front().texels.size());
-    for (std::size_t c = 0; c < planes.size(); ++c)
-        for (std::size_t t = 0; t < planes[c].texels.size(); ++t)
-            samples[t * planes.size() + c] = static_cast<Sample>(planes[c].texels[t]);
-    return samples;
+void interleave(const ImageLevel& level, int first, int end, std::vector<Sample>& samples) {
+    const auto width = static_cast<std::size_t>(level.width);
+    const std::size_t channels = level.channels.size();
+    std::vector<float> row(width);
+    samples.resize(width * channels * static_cast<std::size_t>(end - first));
+    for (int j = first; j < end; ++j)
+        for (std::size_t c = 0; c < channels; ++c) {
+            level.channels[c](j, row);
+            Sample* sample = &samples[static_cast<std::size_t>(j - first) * width * channels + c];
+            for (std::size_t i = 0; i < width; ++i, sample += channels)
+                *sample = static_cast<Sample>(row[i]);
+        }
 }
 
-bool writeSamples(OIIO::ImageOutput& output, const ImageContent& content) {
-    switch (content.format) {
+template <class Sample>
+bool writeLevel(OIIO::ImageOutput& output, const ImageLevel& level, OIIO::TypeDesc type) {
+    std::vector<Sample> samples;
+    for (int first = 0; first < level.height; first += kRowsAtOnce) {
+        const int end = std::min(first + kRowsAtOnce, level.height);
+        interleave(level, first, end, samples);
+        const bool good =
+            output.spec().tile_width > 0
+                ? output.write_tiles(0, level.width, first, end, 0, 1, type, samples.data())
+                : output.write_scanlines(first, end, 0, type, samples.data());
+        if (!good)
+            return false;
+    }
+    return true;
+}
+
+bool writeSamples(OIIO::ImageOutput& output, const ImageLevel& level, StorageFormat format) {
+    switch (format) {
         case StorageFormat::U8:
-            return output.write_image(OIIO::TypeDesc::UINT8,
-                                      interleave<std::uint8_t>(content.planes).data());
+            return writeLevel<std::uint8_t>(output, level, OIIO::TypeDesc::UINT8);
         case StorageFormat::U16:
-            return output.write_image(OIIO::TypeDesc::UINT16,
-                                      interleave<std::uint16_t>(content.planes).data());
+            return writeLevel<std::uint16_t>(output, level, OIIO::TypeDesc::UINT16);
         case StorageFormat::Half:
         case StorageFormat::Float:
             break;
     }
-    return output.write_image(OIIO::TypeDesc::FLOAT, interleave<float>(content.planes).data());
+    return writeLevel<float>(output, level, OIIO::TypeDesc::FLOAT);
 }
 
-/// The bytes of the file, encoded in memory: image libraries lose the reason why a write failed,
-/// and some the failure itself.
-std::vector<unsigned char> encode(const std::filesystem::path& file, const ImageContent& content) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const std::unique_ptr<OIIO::ImageOutput> output =
-        OIIO::ImageOutput::create(file.string(), &memory);
-    const bool isPng = lowerExtension(file) == ".png";
-    const bool good = output && output->open(file.string(), specOf(content, isPng)) &&
-                      writeSamples(*output, content) && output->close();
-    if (!good)
-        throw InputError(fmt::format("{}: cannot be encoded: {}", file.string(),
-                                     output ? output->geterror() : OIIO::geterror()));
-    return bytes;
+/// Files with MIP levels are tiled: the libraries ask for it.
+bool writeLevels(OIIO::ImageOutput& output, const std::string& name,
+                 const ImageDescription& description, std::span<const ImageLevel> levels) {
+    const bool isPng = lowerExtension(name) == ".png";
+    for (const ImageLevel& level : levels) {
+        const bool isFirst = &level == &levels.front();
+        OIIO::ImageSpec spec = specOf(description, level, isPng);
+        if (levels.size() > 1) {
+            spec.tile_width = spec.tile_height = kRowsAtOnce;
+            spec.tile_depth = 1;
+            spec.attribute("textureformat", "Plain Texture");
+        }
+        if (!output.open(name, spec,
+                         isFirst ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel) ||
+            !writeSamples(output, level, description.format))
+            return false;
+    }
+    return output.close();
 }
 
 }  // namespace
 
+void writeImage(const std::filesystem::path& file, const ImageDescription& description,
+                std::span<const ImageLevel> levels) {
+    assert(!levels.empty() && !levels.front().channels.empty());
+    AtomicFile target(file);
+    const std::string name = file.string();
+    AtomicFileProxy proxy(name, target);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &proxy);
+    const bool good = output && writeLevels(*output, name, description, levels);
+    proxy.rethrowFailure();
+    if (!good)
+        throw InputError(fmt::format("{}: cannot be encoded: {}", name,
+                                     output ? output->geterror() : OIIO::geterror()));
+    target.commit();
+}
+
 void writeImage(const std::filesystem::path& file, const ImageContent& content) {
     assert(!content.planes.empty());
-    AtomicFile output(file);
-    const std::vector<unsigned char> bytes = encode(file, content);
-    output.write(std::as_bytes(std::span(bytes)));
-    output.commit();
+    ImageLevel level{content.planes.front().width, content.planes.front().height, {}};
+    for (const Plane& plane : content.planes)
+        level.channels.emplace_back([&plane](int row, std::span<float> samples) {
+            std::copy_n(&plane.texels[plane.index(0, row)], samples.size(), samples.begin());
+        });
+    writeImage(file, content, std::span(&level, 1));
 }
 
 }  // namespace relievo::textures

@@ -8,19 +8,20 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "textures/channel_coding.h"
 #include "textures/channel_rules.h"
 #include "textures/file_extension.h"
 #include "textures/image_reader.h"
 #include "textures/image_writer.h"
 #include "textures/input_error.h"
 #include "textures/map_metadata.h"
-#include "textures/packed_codes.h"
 
 namespace relievo::textures {
 
@@ -51,8 +52,9 @@ void requireReadableSize(const std::filesystem::path& file, const MapSet& maps) 
     if (texels * static_cast<double>(maps.channels.size() * sizeof(float)) > kLargestMap)
         throw InputError(fmt::format(
             "{}: {} x {} texels with {} channels are too many for a map file, expected at most "
-            "2 GiB as floats",
-            file.string(), maps.width(), maps.height(), maps.channels.size()));
+            "{} GiB as floats",
+            file.string(), maps.width(), maps.height(), maps.channels.size(),
+            kLargestMap / (1024.0 * 1024.0 * 1024.0)));
 }
 
 /// Ratios may be infinite (stored as the widest), nothing may be NaN, and halves end at 65504.
@@ -95,35 +97,47 @@ std::vector<std::string> packedLayout(const std::filesystem::path& file, const M
     return layout;
 }
 
-ImageContent packedContent(const std::filesystem::path& file, const MapSet& maps,
-                           StorageFormat format) {
-    const std::vector<std::string> layout = packedLayout(file, maps);
-    ImageContent content;
-    content.format = format;
-    ChannelRanges ranges;
-    for (const std::string& name : layout) {
-        const Plane* values = maps.find(name);
-        if (values == nullptr) {
-            content.planes.emplace_back(maps.width(), maps.height());
-            continue;
-        }
-        ranges[name] = packedRange(*values, name, format);
-        content.planes.push_back(packedCodes(*values, name, ranges[name], format));
-    }
-    content.attributes = describeMaps(maps, layout, ranges);
-    if (lowerExtension(file) != ".png")
-        content.attributes = {{kDescription, nlohmann::json(content.attributes).dump()}};
-    return content;
+/// The rows of a channel as they are stored. `values` is null for a channel that holds nothing.
+RowSource rowsOf(const Plane* values, const ChannelCoding& coding) {
+    if (values == nullptr)
+        return [](int, std::span<float> samples) { std::ranges::fill(samples, 0.0f); };
+    return [values, coding](int row, std::span<float> samples) {
+        toSamples(coding, {&values->texels[values->index(0, row)], samples.size()}, samples);
+    };
 }
 
-ImageContent exrContent(const MapSet& maps, StorageFormat format) {
-    ImageContent content;
-    content.format = format;
-    for (const Channel& channel : maps.channels) {
-        content.channelNames.push_back(channel.name);
-        content.planes.push_back(storedValues(channel.plane, channel.name, format));
+/// Everything about a map file but its samples, and where these come from.
+struct MapFileContent {
+    ImageDescription description;
+    ImageLevel level;
+};
+
+MapFileContent contentOf(const std::filesystem::path& file, const MapSet& maps,
+                         StorageFormat format) {
+    const bool isPacked = isPackedFormat(format);
+    std::vector<std::string> layout;
+    if (isPacked)
+        layout = packedLayout(file, maps);
+    else
+        for (const Channel& channel : maps.channels)
+            layout.push_back(channel.name);
+    MapFileContent content{{{}, format, {}, false}, {maps.width(), maps.height(), {}}};
+    ChannelRanges ranges;
+    for (const std::string& name : layout) {
+        const Plane* const values = maps.find(name);
+        const ChannelCoding coding =
+            values != nullptr ? channelCoding(std::array{values}, name, format, maps.encoding)
+                              : ChannelCoding{};
+        if (values != nullptr && isPacked)
+            ranges[name] = coding.range;
+        content.level.channels.push_back(rowsOf(values, coding));
     }
-    content.attributes = describeMaps(maps, content.channelNames, {});
+    content.description.attributes = describeMaps(maps, layout, ranges);
+    if (!isPacked)
+        content.description.channelNames = layout;
+    else if (lowerExtension(file) != ".png")
+        content.description.attributes = {
+            {kDescription, nlohmann::json(content.description.attributes).dump()}};
     return content;
 }
 
@@ -170,16 +184,17 @@ void checkValues(const Channel& channel, const std::string& file) {
                              : (rule.isSigned ? "finite values" : "finite values from 0")));
 }
 
-/// The values of the channel `name` whose codes, as fractions of the largest, are `stored`.
-Plane unpack(Plane stored, const std::string& name, const ChannelRanges& ranges,
-             StorageFormat format, const std::string& file) {
+/// Turns the codes of the channel `name`, as fractions of the largest, into values.
+void unpack(Plane& stored, const std::string& name, const ChannelRanges& ranges,
+            StorageFormat format, ConeEncoding encoding, const std::string& file) {
     const auto range = ranges.find(name);
     if (range == ranges.end())
         throw InputError(
             fmt::format("{}: its attribute 'relievo:scale' lacks the channel '{}'", file, name));
+    const ChannelRule rule = channelRule(name);
     for (float& value : stored.texels)
         value = static_cast<float>(std::nearbyint(value * maximumCode(format)));
-    return packedValues(stored, range->second, format);
+    toValues({format, rule, range->second, isStoredAsRoot(rule, format, encoding)}, stored.texels);
 }
 
 void unpackChannels(std::vector<Plane> planes, const std::vector<std::string>& layout,
@@ -189,9 +204,10 @@ void unpackChannels(std::vector<Plane> planes, const std::vector<std::string>& l
         throw InputError(fmt::format("{}: has {} channels, expected the {} of 'relievo:channels'",
                                      file, planes.size(), layout.size()));
     for (std::size_t c = 0; c < layout.size(); ++c)
-        if (layout[c] != kUnusedChannel)
-            maps.channels.push_back(
-                {layout[c], unpack(std::move(planes[c]), layout[c], ranges, format, file)});
+        if (layout[c] != kUnusedChannel) {
+            unpack(planes[c], layout[c], ranges, format, maps.encoding, file);
+            maps.channels.push_back({layout[c], std::move(planes[c])});
+        }
 }
 
 /// EXR channels come in an order of the library's choice: they are found by name.
@@ -216,8 +232,8 @@ void writeMapFile(const std::filesystem::path& file, const MapSet& maps, Storage
     requireReadableSize(file, maps);
     for (const Channel& channel : maps.channels)
         checkStorable(file, channel, format);
-    writeImage(file, isPackedFormat(format) ? packedContent(file, maps, format)
-                                            : exrContent(maps, format));
+    const MapFileContent content = contentOf(file, maps, format);
+    writeImage(file, content.description, std::span(&content.level, 1));
 }
 
 bool isMapFile(const std::filesystem::path& file) {

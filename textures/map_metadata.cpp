@@ -115,7 +115,7 @@ MapSet mapsFromAttributes(const TextAttributes& attributes, const std::string& f
     const std::string& encoding = require(attributes, kEncoding, file);
     const std::optional<ConeEncoding> coneEncoding = coneEncodingFromName(encoding);
     if (!coneEncoding)
-        rejectWord(file, kEncoding, encoding, "ratio or radius");
+        rejectWord(file, kEncoding, encoding, "ratio, radius or sqrt");
     maps.encoding = *coneEncoding;
     for (const auto& [name, value] : attributes)
         if (name.starts_with(kPrefix) && !isOwn(name))

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "textures/channel_coding.h"
 #include "textures/map_set.h"
-#include "textures/packed_codes.h"
 
 namespace relievo::textures {
 

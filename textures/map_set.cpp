@@ -8,7 +8,7 @@ DepthMap depthMapOf(const MapSet& maps) {
     const Plane* depth = maps.find("depth");
     if (depth == nullptr)
         throw InputError("the map has no channel 'depth', which describes the relief itself");
-    return DepthMap{*depth, maps.wrap};
+    return DepthMap{*depth, maps.wrap, maps.texelAspect};
 }
 
 }  // namespace relievo::textures

@@ -1,31 +1,16 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "textures/cone_encoding.h"
 #include "textures/depth_map.h"
 #include "textures/plane.h"
 #include "textures/wrap_mode.h"
 
 namespace relievo::textures {
-
-/// What the channel `cone` holds: the ratio (horizontal distance per unit of depth), or the radius
-/// of the cone at the reference surface, ratio·D.
-enum class ConeEncoding { Ratio, Radius };
-
-constexpr std::string_view coneEncodingName(ConeEncoding encoding) noexcept {
-    return encoding == ConeEncoding::Ratio ? "ratio" : "radius";
-}
-
-constexpr std::optional<ConeEncoding> coneEncodingFromName(std::string_view name) noexcept {
-    for (const ConeEncoding encoding : {ConeEncoding::Ratio, ConeEncoding::Radius})
-        if (coneEncodingName(encoding) == name)
-            return encoding;
-    return std::nullopt;
-}
 
 /// A named channel, with one of the names of the specification: `depth`, `dx`, `dy`, `nx`, `ny`,
 /// `nz`, `cone`; room is left for `roof`, `ratio`, `roof0` … and those of shape maps.
@@ -40,6 +25,7 @@ struct Channel {
 struct MapSet {
     std::string kind = "relief";  ///< `relievo:kind`
     WrapMode wrap = WrapMode::Repeat;
+    double texelAspect = 1.0;  ///< height of a texel over its width; not 1 in some mip levels
     ConeEncoding encoding = ConeEncoding::Ratio;
     std::string source;   ///< `relievo:source`: content hash of the height image ("" if unknown)
     std::string version;  ///< `relievo:version` of the program that wrote it

@@ -4,10 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "textures/channel_coding.h"
 #include "textures/file_extension.h"
 #include "textures/image_reader.h"
 #include "textures/image_writer.h"
-#include "textures/packed_codes.h"
 
 namespace relievo::textures {
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "textures/cone_encoding.h"
 #include "textures/plane.h"
 
 namespace relievo::textures {
@@ -44,15 +45,31 @@ constexpr bool isPackedFormat(StorageFormat format) noexcept {
 inline constexpr float kLargestHalf = 65504.0f;
 
 /// The values that a reader of the file gets back for a channel called `channel`: rounded to what
-/// `format` holds, `cone` (and `roof`, `ratio`) down and other channels to the nearest. A second
-/// pass changes nothing. Infinite ratios become kLargestHalf, or the top of the packed range.
-/// Builders apply it to the depths before they build cones, so that the cones are safe for the
-/// depths that are really stored. Values above kLargestHalf in other channels do not fit Half:
-/// writeMapFile refuses them.
-Plane storedValues(const Plane& values, std::string_view channel, StorageFormat format);
+/// `format` holds, widths of cones and roofs down and other channels to the nearest. A second pass
+/// changes nothing. Infinite ratios become kLargestHalf, or the top of the packed range. Builders
+/// apply it to the depths before they build cones, so that the cones are safe for the depths that
+/// are really stored. Values above kLargestHalf in other channels do not fit Half: writeMapFile
+/// refuses them.
+Plane storedValues(const Plane& values, std::string_view channel, StorageFormat format,
+                   ConeEncoding encoding = ConeEncoding::Ratio);
 
-/// How many positive values of the channel become 0 when stored. For `cone`, a search stalls on
-/// such a texel.
-std::size_t countVanishing(const Plane& values, std::string_view channel, StorageFormat format);
+/// storedValues without a second plane.
+void storeInPlace(Plane& values, std::string_view channel, StorageFormat format,
+                  ConeEncoding encoding = ConeEncoding::Ratio);
+
+/// What storing the widths of cones costs. A narrower cone is safe and makes a search take more
+/// steps.
+struct StorageLoss {
+    std::size_t cones = 0;      ///< those with an end and a width, which the rest is about
+    double meanShare = 1.0;     ///< mean of stored width / true width
+    double worstShare = 1.0;    ///< least of these
+    std::size_t vanishing = 0;  ///< become 0, where a search stalls
+    std::size_t narrowed = 0;   ///< are above the largest value that the file holds
+    double widest = 0.0;        ///< this largest value
+};
+
+/// Measures it for the channel of a map file, in which `cone` may be ratio or radius alike.
+StorageLoss storageLoss(const Plane& values, std::string_view channel, StorageFormat format,
+                        ConeEncoding encoding = ConeEncoding::Ratio);
 
 }  // namespace relievo::textures

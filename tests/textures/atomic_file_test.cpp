@@ -48,8 +48,8 @@ class AtomicFileTest : public TemporaryFolder {};
 
 TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
     AtomicFile output(file("a.exr"));
-    output.write(bytesOf("first, "));
-    output.write(bytesOf("second"));
+    output.writeAt(7, bytesOf("second"));
+    output.writeAt(0, bytesOf("first, "));
     EXPECT_FALSE(std::filesystem::exists(file("a.exr")));
     EXPECT_EQ(output.path().parent_path(), folder()) << "a rename must not cross file systems";
     EXPECT_EQ(output.path().extension(), ".exr") << "libraries choose the format by it";
@@ -61,7 +61,7 @@ TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
 TEST_F(AtomicFileTest, ReplacesWhatWasThereAtOnce) {
     writeBytes(file("a.txt"), "old");
     AtomicFile output(file("a.txt"));
-    output.write(bytesOf("new"));
+    output.writeAt(0, bytesOf("new"));
     EXPECT_EQ(readBytes(file("a.txt")), "old");
     output.commit();
     EXPECT_EQ(readBytes(file("a.txt")), "new");
@@ -71,7 +71,7 @@ TEST_F(AtomicFileTest, LeavesNothingWithoutCommit) {
     writeBytes(file("a.txt"), "old");
     {
         AtomicFile output(file("a.txt"));
-        output.write(bytesOf("half of the n"));
+        output.writeAt(0, bytesOf("half of the n"));
         EXPECT_EQ(fileCount(), 2);
     }
     EXPECT_EQ(fileCount(), 1);
@@ -103,7 +103,7 @@ TEST_F(AtomicFileTest, AFullDiskLeavesNothing) {
     const FileSizeLimit limit(1000);
     const std::string message = errorOf([&] {
         AtomicFile output(file("a.txt"));
-        output.write(bytesOf(std::string(2000, 'x')));
+        output.writeAt(0, bytesOf(std::string(2000, 'x')));
         output.commit();
     });
     EXPECT_THAT(message, HasSubstr("a.txt: cannot be written: File too large"));

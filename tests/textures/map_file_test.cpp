@@ -85,6 +85,33 @@ TEST_F(MapFile, WritingWhatWasReadGivesTheSameBytes) {
     }
 }
 
+TEST_F(MapFile, RootsOfRatiosAreAMatterOfTheFileAlone) {
+    MapSet maps = randomMaps(31, 8);
+    maps.encoding = ConeEncoding::Sqrt;
+    for (const FileKind& kind : kKinds) {
+        SCOPED_TRACE(kind.name);
+        writeMapFile(file(kind.name), maps, kind.format);
+        const MapSet read = readMapFile(file(kind.name));
+        EXPECT_EQ(read.encoding, ConeEncoding::Sqrt);
+        const Plane& ratio = maps.channels[3].plane;
+        EXPECT_EQ(read.find("cone")->texels,
+                  storedValues(ratio, "cone", kind.format, ConeEncoding::Sqrt).texels);
+        for (std::size_t t = 0; t < ratio.texels.size(); ++t)
+            EXPECT_LE(read.find("cone")->texels[t], ratio.texels[t]);
+    }
+}
+
+// Several blocks of rows, the last one not whole.
+TEST_F(MapFile, TallFilesComeBackWhole) {
+    const MapSet maps = randomMaps(3, 700);
+    for (const FileKind& kind : kKinds) {
+        writeMapFile(file(kind.name), maps, kind.format);
+        EXPECT_EQ(readMapFile(file(kind.name)).find("dy")->texels,
+                  storedValues(maps.channels[2].plane, "dy", kind.format).texels)
+            << kind.name;
+    }
+}
+
 TEST_F(MapFile, UnequalMapsGiveUnequalBytes) {
     MapSet maps = randomMaps(23, 17);
     writeMapFile(file("a.exr"), maps, StorageFormat::Float);

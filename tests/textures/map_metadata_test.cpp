@@ -70,7 +70,7 @@ TEST_F(MapMetadata, SenselessAttributesAreNamed) {
     EXPECT_THAT(errorWithAttribute(StorageFormat::Float, "relievo:wrap", "tile"),
                 HasSubstr("'relievo:wrap' is 'tile', expected repeat, mirror or clamp"));
     EXPECT_THAT(errorWithAttribute(StorageFormat::Float, "relievo:encoding", "angle"),
-                HasSubstr("'relievo:encoding' is 'angle', expected ratio or radius"));
+                HasSubstr("'relievo:encoding' is 'angle', expected ratio, radius or sqrt"));
     EXPECT_THAT(errorWithAttribute(StorageFormat::Float, "relievo:channels", "dx dx depth"),
                 HasSubstr("expected each channel once"));
     EXPECT_THAT(errorWithAttribute(StorageFormat::U8, "relievo:channels", "- - -"),

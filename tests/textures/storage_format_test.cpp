@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,13 +12,14 @@
 #include <vector>
 
 #include "random_planes.h"
-#include "textures/packed_codes.h"
+#include "textures/channel_coding.h"
 
 namespace relievo::textures {
 namespace {
 
 constexpr std::array kFormats{StorageFormat::Float, StorageFormat::Half, StorageFormat::U16,
                               StorageFormat::U8};
+constexpr std::array kEncodings{ConeEncoding::Ratio, ConeEncoding::Sqrt};
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Ratios over many orders of magnitude, with zeros, an infinite one and one above the range.
@@ -48,10 +50,11 @@ TEST(StorageFormat, NamesAreInverse) {
 TEST(StorageFormat, ConesAreNeverAboveTheTruth) {
     const Plane ratios = randomRatios();
     for (const StorageFormat format : kFormats)
-        for (const char* name : {"cone", "ratio", "roof", "ratio3"}) {
-            EXPECT_EQ(countAbove(storedValues(ratios, name, format), ratios), 0)
-                << storageFormatName(format) << " " << name;
-        }
+        for (const ConeEncoding encoding : kEncodings)
+            for (const char* name : {"cone", "ratio", "roof", "ratio3"}) {
+                EXPECT_EQ(countAbove(storedValues(ratios, name, format, encoding), ratios), 0)
+                    << storageFormatName(format) << " " << name;
+            }
     // Rounding to the nearest, as other channels are, must fail this very check.
     const Plane finite = randomPlane(64, 64, 0.0f, 0.8f, 18);
     EXPECT_GT(countAbove(storedValues(finite, "dx", StorageFormat::Half), finite), 1000);
@@ -111,11 +114,12 @@ TEST(StorageFormat, ASecondPassChangesNothing) {
                                        {"dx", randomPlane(31, 31, -3.7f, 2.9f, 2)},
                                        {"dy", randomPlane(31, 31, 0.0f, 711.0f, 3)},
                                        {"nz", randomPlane(31, 31, 0.1f, 1.0f, 4)}})
-        for (const StorageFormat format : kFormats) {
-            const Plane once = storedValues(values, name, format);
-            EXPECT_EQ(storedValues(once, name, format).texels, once.texels)
-                << name << " " << storageFormatName(format);
-        }
+        for (const StorageFormat format : kFormats)
+            for (const ConeEncoding encoding : kEncodings) {
+                const Plane once = storedValues(values, name, format, encoding);
+                EXPECT_EQ(storedValues(once, name, format, encoding).texels, once.texels)
+                    << name << " " << storageFormatName(format);
+            }
 }
 
 TEST(StorageFormat, ZeroOfSignedChannelsIsExact) {
@@ -127,7 +131,8 @@ TEST(StorageFormat, ZeroOfSignedChannelsIsExact) {
                 values.texels[5] = 0.0f;
                 const Plane stored = storedValues(values, name, format);
                 EXPECT_EQ(stored.texels[5], 0.0f);
-                const ChannelRange range = packedRange(values, name, format);
+                const ChannelRange range =
+                    channelCoding(std::array{&std::as_const(values)}, name, format).range;
                 const double step = (range.high - range.low) / maximumCode(format);
                 for (std::size_t t = 0; t < values.texels.size(); ++t)
                     EXPECT_LE(std::abs(stored.texels[t] - values.texels[t]), 0.50001 * step);
@@ -142,13 +147,76 @@ TEST(StorageFormat, ConstantChannelsKeepTheirValue) {
     }
 }
 
-TEST(StorageFormat, CountsConesThatVanish) {
+// What the smallest code stands for is a cone of the map, not nothing.
+TEST(StorageFormat, NoPositiveConeVanishes) {
+    Plane ratios = randomRatios();
+    ratios.texels[0] = 0.5f;
+    for (const StorageFormat format : kFormats)
+        for (const ConeEncoding encoding : kEncodings)
+            for (const char* name : {"cone", "ratio2"}) {
+                // Half ends at 6e-8: below it there is nothing but 0.
+                if (format == StorageFormat::Half)
+                    ratios.texels[3] = 1e-7f;
+                EXPECT_EQ(storageLoss(ratios, name, format, encoding).vanishing, 0u);
+                const Plane stored = storedValues(ratios, name, format, encoding);
+                EXPECT_GT(*std::min_element(stored.texels.begin(), stored.texels.end()), 0.0f);
+            }
+}
+
+TEST(StorageFormat, ZeroStaysZeroAndMayTakeNarrowConesWithIt) {
     Plane ratios(4, 1, 0.5f);
     ratios.texels[0] = 0.0f;        // was zero: a stall, but not from rounding
     ratios.texels[1] = 0.5f / 256;  // below the first of 255 codes
-    EXPECT_EQ(countVanishing(ratios, "cone", StorageFormat::U8), 1u);
-    EXPECT_EQ(countVanishing(ratios, "cone", StorageFormat::U16), 0u);
-    EXPECT_EQ(countVanishing(ratios, "cone", StorageFormat::Float), 0u);
+    EXPECT_EQ(storedValues(ratios, "cone", StorageFormat::U8).texels[0], 0.0f);
+    EXPECT_EQ(storageLoss(ratios, "cone", StorageFormat::U8).vanishing, 1u);
+    EXPECT_EQ(storageLoss(ratios, "cone", StorageFormat::U16).vanishing, 0u);
+    EXPECT_EQ(storageLoss(ratios, "cone", StorageFormat::Float).vanishing, 0u);
+    const StorageLoss root = storageLoss(ratios, "cone", StorageFormat::U8, ConeEncoding::Sqrt);
+    EXPECT_EQ(root.vanishing, 0u) << "a root leaves room for it";
+}
+
+TEST(StorageFormat, RootsKeepMoreOfNarrowCones) {
+    Plane ratios = randomPlane(64, 64, -8.0f, 0.0f, 5);
+    for (float& value : ratios.texels)
+        value = std::exp2(value);
+    const StorageLoss even = storageLoss(ratios, "cone", StorageFormat::U8);
+    const StorageLoss root = storageLoss(ratios, "cone", StorageFormat::U8, ConeEncoding::Sqrt);
+    EXPECT_EQ(even.cones, ratios.texels.size());
+    EXPECT_GT(root.meanShare, even.meanShare);
+    EXPECT_GT(root.worstShare, even.worstShare);
+    EXPECT_LE(root.meanShare, 1.0);
+    // Depths and roofs are not stored as roots, and floats need none.
+    const Plane values = randomPlane(9, 9, 0.0f, 1.0f, 6);
+    for (const char* name : {"depth", "roof1", "dx"})
+        EXPECT_EQ(storedValues(values, name, StorageFormat::U8, ConeEncoding::Sqrt).texels,
+                  storedValues(values, name, StorageFormat::U8).texels);
+    EXPECT_EQ(storedValues(values, "cone", StorageFormat::Float, ConeEncoding::Sqrt).texels,
+              values.texels);
+}
+
+TEST(StorageFormat, LossIsThatOfTheStoredValues) {
+    Plane ratios = randomRatios();
+    for (const StorageFormat format : kFormats)
+        for (const ConeEncoding encoding : kEncodings) {
+            const Plane stored = storedValues(ratios, "ratio", format, encoding);
+            double sum = 0.0;
+            double worst = 1.0;
+            std::size_t count = 0;
+            for (std::size_t t = 0; t < ratios.texels.size(); ++t)
+                if (ratios.texels[t] > 0.0f && std::isfinite(ratios.texels[t])) {
+                    const double share = static_cast<double>(stored.texels[t]) / ratios.texels[t];
+                    sum += share;
+                    worst = std::min(worst, share);
+                    ++count;
+                }
+            const StorageLoss loss = storageLoss(ratios, "ratio", format, encoding);
+            EXPECT_EQ(loss.cones, count);
+            EXPECT_DOUBLE_EQ(loss.meanShare, sum / static_cast<double>(count));
+            EXPECT_DOUBLE_EQ(loss.worstShare, worst);
+            EXPECT_EQ(loss.widest, isPackedFormat(format) ? 1.0 : kLargestHalf);
+            EXPECT_EQ(loss.narrowed > 0, true) << "one ratio is a million";
+        }
+    EXPECT_EQ(storageLoss(Plane(2, 2, kInfinity), "cone", StorageFormat::U8).meanShare, 1.0);
 }
 
 }  // namespace
