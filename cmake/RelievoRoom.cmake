@@ -8,6 +8,10 @@ function(relievo_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
+  if(RELIEVO_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
   # Archive members that a program does not use must not pull in their shared libraries
   # (OpenImageIO alone costs 0.16 s at every start).
   target_link_options(${target} PRIVATE -Wl,--as-needed)

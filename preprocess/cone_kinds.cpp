@@ -7,13 +7,20 @@
 
 #include "preprocess/cone_encoding.h"
 #include "preprocess/cones_by_levels.h"
+#include "preprocess/cones_by_squares.h"
 #include "preprocess/conservative_cones.h"
+#include "preprocess/quick_cones.h"
+#include "preprocess/relaxed_cones_by_maxima.h"
+#include "preprocess/relaxed_cones_policarpo.h"
 
 namespace relievo::preprocess {
 namespace {
 
 using textures::MapSet;
 using textures::Plane;
+
+constexpr int kLevels = 256;  // of the thesis, which knows 8-bit depths
+constexpr int kSteps = 128;   // of a ray
 
 std::vector<std::string> surfaceConeChannels(const ReliefPlan&) {
     return {"cone"};
@@ -35,14 +42,40 @@ std::string buildConservative(const MapRequest& request, MapSet& maps) {
 }
 
 std::string buildByLevels(const MapRequest& request, MapSet& maps) {
-    constexpr int kLevels = 256;
     addSurfaceCones(request, buildConesByLevels(request.relief, kLevels, request.advance), maps);
     return fmt::format("at most {} levels", kLevels);
 }
 
+std::string buildBySquares(const MapRequest& request, MapSet& maps) {
+    addSurfaceCones(request, buildConesBySquares(request.relief, request.advance), maps);
+    return "growing squares";
+}
+
+std::string buildQuick(const MapRequest& request, MapSet& maps) {
+    addSurfaceCones(request, buildQuickCones(request.relief, request.advance), maps);
+    return "a fixed walk up the pyramid";
+}
+
+std::string buildByMaxima(const MapRequest& request, MapSet& maps) {
+    addSurfaceCones(request, buildRelaxedConesByMaxima(request.relief, kLevels, request.advance),
+                    maps);
+    return fmt::format("at most {} levels", kLevels);
+}
+
+std::string buildByRays(const MapRequest& request, MapSet& maps) {
+    addSurfaceCones(request, buildRelaxedConesByRays(request.relief, kSteps, request.advance),
+                    maps);
+    return fmt::format("rays of {} steps", kSteps);
+}
+
 constexpr ConeKind kKinds[] = {
     {"conservative", "texel", "exact", true, 40.0, surfaceConeChannels, buildConservative},
-    {"conservative", "texel", "levels", true, 40.0, surfaceConeChannels, buildByLevels},
+    {"conservative", "texel", "levels", true, 16.0, surfaceConeChannels, buildByLevels},
+    {"conservative", "texel", "squares", true, 4.0, surfaceConeChannels, buildBySquares},
+    {"conservative", "texel", "quick", true, 8.0, surfaceConeChannels, buildQuick},
+    // As their authors left them: verify finds rays that pierce the relief twice.
+    {"relaxed", "none", "maxima", true, 16.0, surfaceConeChannels, buildByMaxima},
+    {"relaxed", "none", "policarpo", true, 4.0, surfaceConeChannels, buildByRays},
 };
 
 bool fits(const std::string& wanted, std::string_view word) {

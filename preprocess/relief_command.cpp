@@ -198,11 +198,12 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->check(CLI::IsMember(coneWords(&ConeKind::cone)))
         ->capture_default_str();
     add("--guarantee", arguments.guarantee,
-        "What the cones are safe for: rays over texel centres [what the method gives]")
+        "What the cones are safe for: texel centres, or nothing [what the method gives]")
         ->check(CLI::IsMember(coneWords(&ConeKind::guarantee)));
     add("--method", arguments.method,
-        "Builder of the cones: exact, or the baseline levels (exact up to 256 distinct depths, "
-        "narrower above) [exact]")
+        "Builder of the cones: exact, or a baseline: levels, squares, quick (conservative), "
+        "maxima, "
+        "policarpo (relaxed) [the first that the kind has]")
         ->check(CLI::IsMember(coneWords(&ConeKind::method)));
     add("--wrap", arguments.wrap, "How the relief continues outside its tile")
         ->check(CLI::IsMember({"repeat", "mirror", "clamp"}))
