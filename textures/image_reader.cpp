@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "textures/exr_header.h"
 #include "textures/input_error.h"
 #include "textures/truncation.h"
 
@@ -57,6 +58,8 @@ void checkRegularFile(const std::filesystem::path& file) {
         reject(file, "is empty (0 bytes), expected an image");
     if (isTruncatedImage(file))
         reject(file, "is truncated, expected a whole image");
+    if (const std::string problem = exrHeaderProblem(file, kLargestSide); !problem.empty())
+        reject(file, problem);
     if (isPngOfNoSize(file))
         reject(file, "has a width or height of 0, expected at least one texel");
 }

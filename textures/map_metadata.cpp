@@ -63,14 +63,14 @@ std::optional<double> number(std::string_view text) {
     return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// `low:high` with low < high.
+/// `low:high` with low < high, not so far apart that the difference is no number.
 std::optional<ChannelRange> range(std::string_view text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos)
         return std::nullopt;
     const std::optional<double> low = number(text.substr(0, colon));
     const std::optional<double> high = number(text.substr(colon + 1));
-    if (!low || !high || !(*low < *high))
+    if (!low || !high || !(*low < *high) || !std::isfinite(*high - *low))
         return std::nullopt;
     return ChannelRange{*low, *high};
 }

@@ -87,7 +87,8 @@ void fuzzMetadata(std::span<const std::uint8_t> bytes) {
             require(range.low < range.high && std::isfinite(range.high - range.low),
                     "ranges grow and have a length");
         const TextAttributes again = describeMaps(maps, layout, ranges);
-        require(rangesFromAttributes(again, "file").size() == ranges.size(), "all ranges come back");
+        require(rangesFromAttributes(again, "file").size() == ranges.size(),
+                "all ranges come back");
         require(mapsFromAttributes(again, "file").attributes == maps.attributes,
                 "all attributes come back");
     } catch (const InputError&) {

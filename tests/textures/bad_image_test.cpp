@@ -108,6 +108,30 @@ TEST_F(BadImage, OurOwnTiffPicturesNoticeATruncation) {
     }
 }
 
+// The library would take the memory first and find out later.
+TEST_F(BadImage, ExrHeadersThatClaimTooMuch) {
+    ImageContent content;
+    content.planes = {Plane(3, 2)};
+    content.format = StorageFormat::Float;
+    content.attributes = {{"relievo:kind", "relief"}};
+    writeImage(file("whole.exr"), content);
+    const std::string whole = readBytes(file("whole.exr"));
+    const auto withBytes = [&](const std::string& before, std::size_t skip,
+                               const std::string& bytes) {
+        std::string damaged = whole;
+        const std::size_t place = whole.find(before);
+        EXPECT_NE(place, std::string::npos);
+        return complaintAbout("a.exr",
+                              damaged.replace(place + before.size() + skip, bytes.size(), bytes));
+    };
+    EXPECT_THAT(withBytes("relievo:kind", 8, "\xFF\xFF\xFF\x7F"), HasSubstr("in its header"));
+    EXPECT_THAT(withBytes("dataWindow", 7 + 4 + 8, "\xFF\xFF\xFF\x7F"),
+                HasSubstr("claims more texels than 32768 per side"));
+    EXPECT_THAT(complaintAbout("a.exr", whole.substr(0, 100)), HasSubstr("a.exr: is truncated"));
+    writeBytes(file("a.exr"), whole);
+    EXPECT_NO_THROW(readHeightImage(file("a.exr"), {}));
+}
+
 TEST_F(BadImage, APreviewInTheHeaderDoesNotHideATruncatedJpeg) {
     const std::string preview = "\xFF\xDA data \xFF\xD9";
     const std::string start = "\xFF\xD8\xFF\xE1" + preview + "\xFF\xDA";

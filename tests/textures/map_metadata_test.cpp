@@ -79,7 +79,7 @@ TEST_F(MapMetadata, SenselessAttributesAreNamed) {
 
 TEST_F(MapMetadata, SenselessScalesAreRefused) {
     for (const char* scale : {"cone", "cone=0", "cone=0:x", "cone=1:0", "cone=0:inf", "cone=0:1e",
-                              "cone=nan:1", "cone=0:0"})
+                              "cone=nan:1", "cone=0:0", "cone=-1e308:1e308"})
         EXPECT_THAT(errorWithAttribute(StorageFormat::U8, "relievo:scale", scale),
                     HasSubstr("'relievo:scale' is '" + std::string(scale) + "'"));
     EXPECT_THAT(errorWithAttribute(StorageFormat::U8, "relievo:scale", "cone=0:1 depth=0:1"),
