@@ -41,6 +41,21 @@ void AxisWalk::step() noexcept {
     }
 }
 
+void AxisWalk::jump(double t) noexcept {
+    if (speed_ == 0.0)
+        return;
+    const auto target = static_cast<std::int64_t>(std::floor(start_ + t * speed_));
+    std::int64_t steps = speed_ > 0.0 ? std::max(target, steps_) : std::min(target, steps_);
+    if (wrap_ == textures::WrapMode::Clamp) {
+        const std::int64_t first = cell_ - steps_;
+        steps = std::clamp<std::int64_t>(first + steps, -1, size_ - 1) - first;
+    }
+    cell_ += steps - steps_;
+    steps_ = steps;
+    low_ = textures::wrapIndex(cell_, size_, wrap_);
+    high_ = textures::wrapIndex(cell_ + 1, size_, wrap_);
+}
+
 bool AxisWalk::reachesToInfinity() const noexcept {
     if (size_ == 1)
         return true;
@@ -74,6 +89,15 @@ void CellWalk::step() noexcept {
         rows_.step();
         rowExit_ = rows_.exit();
     }
+    findExit();
+}
+
+void CellWalk::jump(double t) noexcept {
+    entry_ = t;
+    columns_.jump(t);
+    rows_.jump(t);
+    columnExit_ = columns_.exit();
+    rowExit_ = rows_.exit();
     findExit();
 }
 

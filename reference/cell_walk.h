@@ -27,6 +27,8 @@ class AxisWalk {
     }
     /// On to the next cell in the direction of the line.
     void step() noexcept;
+    /// On to the cell that holds the line's point at parameter t, but never back.
+    void jump(double t) noexcept;
 
     [[nodiscard]] double speed() const noexcept { return speed_; }
     /// The number k of the cell, not wrapped.
@@ -65,6 +67,11 @@ class CellWalk {
     [[nodiscard]] bool isLast() const noexcept { return exit_ >= end_; }
     /// On to the next cell.
     void step() noexcept;
+    /// On to the cell that holds the line's point at parameter t ≥ entry(), which is where the line
+    /// enters it then, but never to a cell behind the current one.
+    void jump(double t) noexcept;
+    /// Whether the line's point at parameter t lies beyond the current cell.
+    [[nodiscard]] bool isBeyond(double t) const noexcept { return t > exit_; }
 
     /// Depth of the line at parameter t.
     [[nodiscard]] double z(double t) const noexcept { return z_ + t * direction_.z; }

@@ -5,14 +5,12 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
-#include <random>
 
 #include "ray_oracle.h"
 #include "reference/adversarial_rays.h"
-#include "reference/bilinear_cell.h"
 #include "reference/surface_crossings.h"
+#include "safe_maps.h"
 #include "textures/bilinear.h"
 
 namespace relievo::reference::test {
@@ -24,34 +22,6 @@ using textures::WrapMode;
 
 constexpr WrapMode kWraps[] = {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp};
 constexpr ConePromise kPromises[] = {ConePromise::Conservative, ConePromise::Relaxed};
-
-DepthMap randomMap(int width, int height, WrapMode wrap, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    DepthMap map{Plane(width, height), wrap};
-    for (float& depth : map.depth.texels)
-        depth = static_cast<float>(static_cast<double>(random()) / 4294967296.0);
-    return map;
-}
-
-// The steepest slope of the bilinear surface, in depth per tile width: |∇D| is convex in a cell, so
-// it is greatest at a corner.
-double steepest(const DepthMap& map) {
-    double slope = 0.0;
-    for (int j = -1; j < map.height(); ++j)
-        for (int i = -1; i < map.width(); ++i) {
-            const BilinearCell cell(map.at(i, j), map.at(i + 1, j), map.at(i, j + 1),
-                                    map.at(i + 1, j + 1));
-            for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
-                slope = std::max(
-                    slope, glm::length(cell.gradient(corner) / glm::dvec2(1.0, map.texelAspect)));
-        }
-    return slope * map.width();
-}
-
-// One ratio for all texels that no pair of points on the surface contradicts.
-Plane slopeBound(const DepthMap& map, double factor = 1.0) {
-    return {map.width(), map.height(), static_cast<float>(factor * 0.999999 / steepest(map))};
-}
 
 GuaranteeCheckOptions rays(std::uint64_t count, std::uint64_t seed = 1) {
     GuaranteeCheckOptions options;
@@ -68,11 +38,11 @@ TEST(GuaranteeCheck, ConesOfTheSteepestSlopeAreSafe) {
     for (const WrapMode wrap : kWraps)
         for (const auto& [width, height] :
              {std::pair(1, 7), {9, 1}, {2, 2}, {13, 17}, {64, 3}, {16, 16}}) {
-            DepthMap map = randomMap(width, height, wrap, 3);
+            DepthMap map = noiseRelief(width, height, wrap, 3);
             for (const double texelAspect : {1.0, 0.8}) {
                 map.texelAspect = texelAspect;
                 for (const ConePromise promise : kPromises)
-                    EXPECT_EQ(violationsOf(map, slopeBound(map), promise), 0u)
+                    EXPECT_EQ(violationsOf(map, slopeCones(map), promise), 0u)
                         << width << "x" << height << " " << wrapModeName(wrap);
             }
         }
@@ -81,20 +51,20 @@ TEST(GuaranteeCheck, ConesOfTheSteepestSlopeAreSafe) {
 TEST(GuaranteeCheck, ConesHalfTooWideAreFound) {
     for (const WrapMode wrap : kWraps)
         for (const auto& [width, height] : {std::pair(9, 2), {2, 2}, {13, 17}, {64, 3}, {16, 16}}) {
-            DepthMap map = randomMap(width, height, wrap, 3);
+            DepthMap map = noiseRelief(width, height, wrap, 3);
             map.texelAspect = 0.8;
-            EXPECT_GT(violationsOf(map, slopeBound(map, 1.5), ConePromise::Conservative), 0u)
+            EXPECT_GT(violationsOf(map, slopeCones(map, 1.5), ConePromise::Conservative), 0u)
                 << width << "x" << height << " " << wrapModeName(wrap);
         }
 }
 
 // With the metric of square texels the cones of a level with flat texels are too wide.
 TEST(GuaranteeCheck, UsesTheShapeOfTexels) {
-    DepthMap map = randomMap(16, 16, WrapMode::Repeat, 4);
-    const Plane square = slopeBound(map);
+    DepthMap map = noiseRelief(16, 16, WrapMode::Repeat, 4);
+    const Plane square = slopeCones(map);
     map.texelAspect = 0.5;
     EXPECT_GT(violationsOf(map, square, ConePromise::Conservative), 0u);
-    EXPECT_EQ(violationsOf(map, slopeBound(map), ConePromise::Conservative), 0u);
+    EXPECT_EQ(violationsOf(map, slopeCones(map), ConePromise::Conservative), 0u);
 }
 
 TEST(GuaranteeCheck, TheOnlyTexelWithAConeTooWideIsFound) {
@@ -145,9 +115,9 @@ TEST(GuaranteeCheck, RelaxedConesMayPierceOnce) {
 }
 
 TEST(GuaranteeCheck, WorstExampleIsAsFarOffAsItSays) {
-    const DepthMap map = randomMap(16, 16, WrapMode::Mirror, 5);
+    const DepthMap map = noiseRelief(16, 16, WrapMode::Mirror, 5);
     const auto report =
-        checkCones(map, slopeBound(map, 3.0), ConePromise::Conservative, rays(20000));
+        checkCones(map, slopeCones(map, 3.0), ConePromise::Conservative, rays(20000));
     ASSERT_TRUE(report.worst);
     const auto& [ray, i, j, step, length, worstAt, depth] = *report.worst;
     EXPECT_NEAR(depthBelow(map, step, worstAt), depth, 1e-9);
@@ -170,15 +140,15 @@ TEST(GuaranteeCheck, UnlimitedConesOverAConstantMapAreSafeAndOverAnythingElseNot
         EXPECT_EQ(report.unlimited, 35u);
         EXPECT_EQ(report.meanRatio, 0.0);
     }
-    const DepthMap rough = randomMap(7, 5, WrapMode::Clamp, 1);
+    const DepthMap rough = noiseRelief(7, 5, WrapMode::Clamp, 1);
     for (const ConePromise promise : kPromises)
         EXPECT_GT(violationsOf(rough, Plane(7, 5, infinity), promise), 100u);
     EXPECT_EQ(violationsOf(rough, Plane(7, 5, 0.0f), ConePromise::Conservative), 0u);
 }
 
 TEST(GuaranteeCheck, ReportDependsOnSeedAndNotOnThreads) {
-    const DepthMap map = randomMap(32, 32, WrapMode::Repeat, 6);
-    const Plane ratio = slopeBound(map, 2.0);
+    const DepthMap map = noiseRelief(32, 32, WrapMode::Repeat, 6);
+    const Plane ratio = slopeCones(map, 2.0);
     const auto run = [&](int threads, std::uint64_t seed) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         return checkCones(map, ratio, ConePromise::Conservative, rays(30000, seed));
@@ -193,7 +163,7 @@ TEST(GuaranteeCheck, ReportDependsOnSeedAndNotOnThreads) {
 }
 
 TEST(AdversarialRays, AreAboveTheSurfaceAndGoDown) {
-    DepthMap map = randomMap(13, 7, WrapMode::Mirror, 8);
+    DepthMap map = noiseRelief(13, 7, WrapMode::Mirror, 8);
     map.texelAspect = 1.3;
     int grazing = 0;
     int steep = 0;

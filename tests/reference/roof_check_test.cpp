@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "reference/guarantee_check.h"
-#include "roof_oracle.h"
+#include "safe_maps.h"
 
 namespace relievo::reference::test {
 namespace {

@@ -1,10 +1,13 @@
-#include "roof_oracle.h"
+#include "safe_maps.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "reference/bilinear_cell.h"
 
 namespace relievo::reference::test {
 
@@ -113,6 +116,21 @@ DepthMap noiseRelief(int width, int height, textures::WrapMode wrap, std::uint32
             depth = std::round(depth);
     }
     return relief;
+}
+
+// |∇D| is convex in a cell, so it is greatest at a corner.
+Plane slopeCones(const DepthMap& relief, double factor) {
+    double steepest = 0.0;
+    for (int j = -1; j < relief.height(); ++j)
+        for (int i = -1; i < relief.width(); ++i) {
+            const BilinearCell cell(relief.at(i, j), relief.at(i + 1, j), relief.at(i, j + 1),
+                                    relief.at(i + 1, j + 1));
+            for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
+                steepest = std::max(steepest, glm::length(cell.gradient(corner) /
+                                                          glm::dvec2(1.0, relief.texelAspect)));
+        }
+    const double ratio = factor * 0.999999 / (steepest * relief.width());
+    return {relief.width(), relief.height(), static_cast<float>(ratio)};
 }
 
 RoofMap bruteForceRoofs(const DepthMap& relief, int layers, int block) {
