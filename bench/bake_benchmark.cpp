@@ -35,11 +35,12 @@ struct BuilderEntry {
     void (*build)(const BakeInput& input, BakeWork& work);
 };
 
+template <preprocess::ConeGuarantee kGuarantee>
 void buildExactCones(const BakeInput& input, BakeWork& work) {
-    preprocess::ConeSearchStatistics statistics;
-    preprocess::buildConservativeCones(input.map, {}, &statistics);
+    preprocess::SlopeSearchStatistics statistics;
+    preprocess::buildConservativeCones(input.map, kGuarantee, {}, &statistics);
     work.nodesPerTexel =
-        static_cast<double>(statistics.nodes) / static_cast<double>(statistics.texels);
+        static_cast<double>(statistics.nodes) / static_cast<double>(input.map.depth.texels.size());
 }
 
 constexpr std::array kEntries{
@@ -50,7 +51,10 @@ constexpr std::array kEntries{
                  [](const BakeInput& input, BakeWork&) {
                      preprocess::buildNormals(input.derivatives, 0.1);
                  }},
-    BuilderEntry{{"cones-exact", "conservative cones by pyramid search"}, buildExactCones},
+    BuilderEntry{{"cones-bilinear", "conservative cones, safe on the bilinear surface"},
+                 buildExactCones<preprocess::ConeGuarantee::Bilinear>},
+    BuilderEntry{{"cones-texel", "conservative cones between texel centres"},
+                 buildExactCones<preprocess::ConeGuarantee::Texel>},
     BuilderEntry{
         {"cones-levels", "conservative cones by 256 depth levels"},
         [](const BakeInput& input, BakeWork&) { preprocess::buildConesByLevels(input.map); }},

@@ -28,10 +28,11 @@ textures::MapSet bakeSample(const std::string& sample, int size) {
     preprocess::Derivatives derivatives = preprocess::buildDerivatives(map);
     textures::MapSet maps;
     maps.wrap = map.wrap;
-    maps.channels = {{"depth", map.depth},
-                     {"dx", std::move(derivatives.dx)},
-                     {"dy", std::move(derivatives.dy)},
-                     {"cone", preprocess::buildConservativeCones(map)}};
+    maps.channels = {
+        {"depth", map.depth},
+        {"dx", std::move(derivatives.dx)},
+        {"dy", std::move(derivatives.dy)},
+        {"cone", preprocess::buildConservativeCones(map, preprocess::ConeGuarantee::Texel)}};
     return maps;
 }
 

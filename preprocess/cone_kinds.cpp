@@ -32,13 +32,19 @@ void addSurfaceCones(const MapRequest& request, Plane ratio, MapSet& maps) {
     maps.channels.push_back({"cone", std::move(ratio)});
 }
 
-std::string buildConservative(const MapRequest& request, MapSet& maps) {
-    ConeSearchStatistics work;
-    addSurfaceCones(request, buildConservativeCones(request.relief, request.advance, &work), maps);
+std::string countsOf(const SlopeSearchStatistics& work, const MapRequest& request) {
     const auto texels = static_cast<double>(request.relief.depth.texels.size());
     return fmt::format("{:.1f} nodes and {:.1f} texels visited for each",
                        static_cast<double>(work.nodes) / texels,
-                       static_cast<double>(work.texels) / texels);
+                       static_cast<double>(work.samples) / texels);
+}
+
+template <ConeGuarantee kGuarantee>
+std::string buildConservative(const MapRequest& request, MapSet& maps) {
+    SlopeSearchStatistics work;
+    addSurfaceCones(
+        request, buildConservativeCones(request.relief, kGuarantee, request.advance, &work), maps);
+    return countsOf(work, request);
 }
 
 std::string buildByLevels(const MapRequest& request, MapSet& maps) {
@@ -69,7 +75,10 @@ std::string buildByRays(const MapRequest& request, MapSet& maps) {
 }
 
 constexpr ConeKind kKinds[] = {
-    {"conservative", "texel", "exact", true, 40.0, surfaceConeChannels, buildConservative},
+    {"conservative", "bilinear", "exact", true, 24.0, surfaceConeChannels,
+     buildConservative<ConeGuarantee::Bilinear>},
+    {"conservative", "texel", "exact", true, 16.0, surfaceConeChannels,
+     buildConservative<ConeGuarantee::Texel>},
     {"conservative", "texel", "levels", true, 16.0, surfaceConeChannels, buildByLevels},
     {"conservative", "texel", "squares", true, 4.0, surfaceConeChannels, buildBySquares},
     {"conservative", "texel", "quick", true, 8.0, surfaceConeChannels, buildQuick},

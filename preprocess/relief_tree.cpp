@@ -146,6 +146,7 @@ ReliefTree buildReliefTree(const DepthPyramid& pyramid) {
     for (int j = 0; j < (depth.height + 1) / 2; ++j)
         for (int i = 0; i < (depth.width + 1) / 2; ++i)
             tree.texels.push_back(childrenOf(depth, i, j));
+    tree.leastDepth = pyramid.levels.back().texels.front();
     tree.quads.resize(2);
     for (std::size_t level = 2; level < pyramid.levels.size(); ++level) {
         const Plane& children = pyramid.levels[level - 1];

@@ -29,6 +29,7 @@ struct alignas(64) ReliefQuad {
 struct ReliefTree {
     int width = 0;
     int height = 0;
+    float leastDepth = 0.0f;  ///< of all texels
     /// Children of the nodes of level 1: the texels, row by row of nodes; +infinity outside.
     std::vector<std::array<float, 4>> texels;
     /// quads[k]: children of the nodes of level k ≥ 2, row by row; 0 and 1 are empty.

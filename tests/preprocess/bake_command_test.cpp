@@ -69,7 +69,7 @@ void expectTrueCones(const MapSet& maps) {
     for (int j = 0; j < 128; ++j)
         for (int i = 0; i < 128; ++i)
             crop.depth.at(i, j) = relief.at(i + 200, j + 150);
-    EXPECT_EQ(countWrongRatios(buildConservativeCones(crop), crop, 0), 0u);
+    EXPECT_EQ(countWrongRatios(buildConservativeCones(crop, ConeGuarantee::Texel), crop, 0), 0u);
 }
 
 TEST_F(Bake, ConesOfALarge16BitSampleEqualBruteForce) {
@@ -94,7 +94,7 @@ TEST_F(Bake, FileHoldsTheMapsOfTheDepthsItStores) {
         const MapSet maps = baked(height, name, {"--format", format});
         const DepthMap relief = textures::depthMapOf(maps);
         EXPECT_EQ(maps.encoding, textures::ConeEncoding::Radius);
-        const Plane ratio = buildConservativeCones(relief);
+        const Plane ratio = buildConservativeCones(relief, ConeGuarantee::Texel);
         const Derivatives derivatives = buildDerivatives(relief);
         const Plane stored = decodeCones(*maps.find("cone"), relief.depth, maps.encoding);
         for (std::size_t k = 0; k < ratio.texels.size(); ++k) {

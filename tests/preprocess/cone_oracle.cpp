@@ -60,7 +60,7 @@ bool isTrueRatio(float ratio, double truth) {
         return std::isinf(truth) && std::isinf(ratio);
     if (truth > std::numeric_limits<float>::max())
         return ratio == std::numeric_limits<float>::max();
-    return ratio <= truth && ratio >= truth * (1.0 - 2.5e-7);
+    return ratio <= truth && ratio >= truth * (1.0 - 2e-6);
 }
 
 std::size_t countWrongRatios(const textures::Plane& ratio, const DepthMap& map, int copies) {

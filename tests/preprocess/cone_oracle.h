@@ -18,7 +18,7 @@ textures::DepthMap noiseMap(int width, int height, textures::WrapMode wrap, std:
 double bruteForceRatio(const textures::DepthMap& map, int i, int j, int copies);
 
 /// How many texels of `ratio` differ from brute force: above the true ratio, under it by more than
-/// two roundings of a float, or limited where the other is not.
+/// two millionths, or limited where the other is not.
 std::size_t countWrongRatios(const textures::Plane& ratio, const textures::DepthMap& map,
                              int copies);
 

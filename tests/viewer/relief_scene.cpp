@@ -17,7 +17,8 @@ textures::MapSet bakeMaps(const textures::DepthMap& map, textures::ConeEncoding 
     maps.channels = {{"depth", map.depth},
                      {"dx", derivatives.dx},
                      {"dy", derivatives.dy},
-                     {"cone", preprocess::encodeCones(preprocess::buildConservativeCones(map),
+                     {"cone", preprocess::encodeCones(preprocess::buildConservativeCones(
+                                                          map, preprocess::ConeGuarantee::Texel),
                                                       map.depth, encoding)}};
     return maps;
 }

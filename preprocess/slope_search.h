@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <climits>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "preprocess/lanes.h"
+#include "preprocess/relief_tree.h"
+#include "textures/wrap_mode.h"
+
+namespace relievo::preprocess {
+
+/// The work of a slope search. It depends on the map alone, not on threads or the machine.
+struct SlopeSearchStatistics {
+    std::uint64_t packets = 0;  ///< searches of 16 apexes at once
+    std::uint64_t nodes = 0;    ///< nodes whose bound was computed for a packet
+    std::uint64_t samples = 0;  ///< samples whose slope was computed for a packet
+    SlopeSearchStatistics& operator+=(const SlopeSearchStatistics& other) noexcept;
+};
+
+/// The rules of one kind of search. Lengths in texel widths.
+struct SlopeSearchRules {
+    /// Samples no farther than this from an apex in both axes are left out: a window is searched
+    /// faster by chord_table.h.
+    float window = 0.0f;
+    /// Taken off every squared distance: what the interpolation between samples may add to a slope
+    /// (bilinear_slopes.h says why).
+    float correction = 0.0f;
+    /// Apexes are squares (cells) of this half side; 0 for points.
+    float halfSide = 0.0f;
+    /// Slopes are rounded up to floats with so many bits after the first: a search gives up what
+    /// cannot reach the next number, and what it finds does not depend on its order.
+    int bits = 20;
+};
+
+/// A sample, by column and row in the plane of all copies of the tile.
+struct SamplePlace {
+    static constexpr int kNone = INT_MIN;
+    int i = kNone;
+    int j = kNone;
+    bool operator==(const SamplePlace&) const = default;
+};
+
+/// Sixteen neighbouring apexes: columns and rows in texels (fractions allowed), depths, and the
+/// slopes up to which nothing is of interest.
+struct alignas(64) SlopePacket {
+    std::array<float, kLanes> column;
+    std::array<float, kLanes> row;
+    std::array<float, kLanes> depth;
+    std::array<float, kLanes> known;
+};
+
+/// The slopes, and where the chords end (kNone where no slope is above the known one).
+struct alignas(64) PacketSlopes {
+    std::array<float, kLanes> slope;
+    std::array<SamplePlace, kLanes> place;
+};
+
+/// Searches the steepest chords that rise from apexes to the samples of a map:
+///
+///   s(a) = max over samples y outside the window with D(y) < D(a) of (D(a) − D(y)) / √(|a−y|² − κ)
+///
+/// with κ the correction, in depth per texel width. Depth-first through a quadtree of least depths
+/// and lower planes (relief_tree.h), the most promising child first; a node is given up when no
+/// chord into it can be steeper than those that all apexes of the packet have already.
+///
+/// Under repeat the eight copies of the tile around it are searched as well. Under mirror and clamp
+/// the tile itself suffices: a chord to another copy crosses the border of the tile, and with the
+/// part behind the border folded back it is a chord to the same depth in the tile, no longer.
+class SlopeSearch {
+  public:
+    /// `aspect`: the height of a texel over its width. The tree must outlive the search.
+    SlopeSearch(const ReliefTree& tree, textures::WrapMode wrap, double aspect,
+                const SlopeSearchRules& rules);
+
+    /// The slopes of a packet: rounded up as the rules say, and at least `known` rounded down.
+    /// `seeds` are tried first: where the chords of neighbours end is often steep here too.
+    void find(const SlopePacket& packet, std::span<const SamplePlace> seeds, PacketSlopes& found);
+
+    [[nodiscard]] const SlopeSearchStatistics& statistics() const noexcept { return statistics_; }
+
+    struct Node {
+        int level;
+        int i;
+        int j;
+        int copyI;  ///< first column and row of the copy of the tile
+        int copyJ;
+        float bound;  ///< no chord into it is steeper, squared, for the packet as a whole
+    };
+
+  private:
+    const ReliefTree& tree_;
+    bool repeats_;
+    float aspect_;
+    SlopeSearchRules rules_;
+    std::vector<Node> stack_;
+    SlopeSearchStatistics statistics_;
+};
+
+}  // namespace relievo::preprocess
