@@ -1,5 +1,6 @@
 #include "bench/bake_command.h"
 #include "bench/render_command.h"
+#include "bench/search_command.h"
 #include "commands/program.h"
 
 int main(int argc, char** argv) {
@@ -7,10 +8,13 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     relievo::bench::BakeCommand bake(app);
     relievo::bench::RenderCommand render(app);
+    relievo::bench::SearchCommand search(app);
     return relievo::commands::runProgram(app, argc, argv, [&] {
         if (bake.chosen())
             bake.run();
         if (render.chosen())
             render.run();
+        if (search.chosen())
+            search.run();
     });
 }

@@ -156,6 +156,21 @@ TEST(BenchRender, BackEndsAgreeOnAllButTime) {
     EXPECT_EQ(osmesa, withoutTimes("egl"));
 }
 
+TEST(BenchSearch, WritesJsonAndPlot) {
+    const ScratchFolder folder;
+    const ProcessResult result = bench(
+        {"search", "--samples", "noise", "--searches", "relief,pyramid", "--size", "16", "--rays",
+         "50", "--json", folder.file("search.json"), "--plot", folder.file("search.svg")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_EQ(parseTable(result.output).size(), 1u + 2 * 4);
+    const auto report = nlohmann::json::parse(readBytes(folder.file("search.json")));
+    EXPECT_EQ(report.at("benchmark"), "search");
+    EXPECT_EQ(report.at("rays"), 50);
+    ASSERT_EQ(report.at("rows").size(), 8u);
+    EXPECT_TRUE(report.at("rows").at(0).at("meanRatio").is_null());
+    EXPECT_THAT(readBytes(folder.file("search.svg")), HasSubstr("pyramid"));
+}
+
 TEST(Bench, HelpListsWhatThereIs) {
     const ProcessResult bake = bench({"bake", "--help"});
     EXPECT_EQ(bake.exitStatus, 0);
@@ -181,6 +196,9 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"bake", "--threads", "-1"},
         {"bake", "--elevations", "5"},
         {"bake", "--plot", folder.file("bake.png")},
+        {"search", "--searches", "magic"},
+        {"search", "--elevations", "91"},
+        {"search", "--rays", "0"},
         {"render", "--techniques", "magic"},
         {"render", "--elevations", "0"},
         {"render", "--steps", "0"},

@@ -63,7 +63,7 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 TEST(Documentation, HasTheOptionsOfThePrograms) {
     expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
-    expectSameOptions("relievo-bench", {"", "bake", "render"});
+    expectSameOptions("relievo-bench", {"", "bake", "render", "search"});
 }
 
 TEST(Documentation, TheCheckSeesAnOptionThatIsMissing) {
