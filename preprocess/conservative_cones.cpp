@@ -1,13 +1,11 @@
 #include "preprocess/conservative_cones.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "preprocess/apex_block.h"
 #include "preprocess/bilinear_slopes.h"
+#include "preprocess/block_loop.h"
 #include "preprocess/chord_table.h"
 #include "preprocess/lanes.h"
 #include "preprocess/processor.h"
@@ -24,51 +22,8 @@ using textures::DepthMap;
 using textures::Plane;
 using Advance = std::function<void(std::size_t)>;
 
-// The part of a plane that a block covers.
-struct BlockPlace {
-    int left;
-    int top;
-    int width;
-    int height;
-};
-
-// Calls work(thread's own state, place) for all blocks of a plane of this size.
-template <typename State, typename Work>
-void forAllBlocks(int width, int height, tbb::enumerable_thread_specific<State>& states,
-                  const Work& work) {
-    const int columns = (width + kBlockSize - 1) / kBlockSize;
-    const int rows = (height + kBlockSize - 1) / kBlockSize;
-    tbb::parallel_for(0, columns * rows, [&](int block) {
-        const int left = block % columns * kBlockSize;
-        const int top = block / columns * kBlockSize;
-        work(states.local(), BlockPlace{left, top, std::min(kBlockSize, width - left),
-                                        std::min(kBlockSize, height - top)});
-    });
-}
-
-// Calls use(i, j, the block's value) for the texels of the plane that the block covers.
-template <typename Use>
-void forTexels(const BlockPlace& place, const Use& use) {
-    for (int j = 0; j < place.height; ++j)
-        for (int i = 0; i < place.width; ++i)
-            use(place.left + i, place.top + j, blockIndex(i, j));
-}
-
-template <typename States>
-void collect(const States& states, SlopeSearchStatistics* statistics) {
-    if (statistics == nullptr)
-        return;
-    *statistics = {};
-    for (const auto& state : states)
-        *statistics += state.search.statistics();
-}
-
 // Slopes are products and quotients of a handful of floats.
 constexpr double kSlopeRounding = 3e-7;
-
-float ratioOfSlope(double slope, int width) {
-    return slope > 0.0 ? roundDown(1.0 / (slope * width)) : std::numeric_limits<float>::infinity();
-}
 
 // --- Texel centres ---------------------------------------------------------------------------
 
@@ -108,8 +63,7 @@ Plane texelCones(const DepthMap& map, const ReliefTree& tree, const Advance& adv
                          ratio.at(i, j) = ratioOfSlope(slope * (1.0 + kSlopeRounding), map.width());
                      });
                      if (advance)
-                         advance(static_cast<std::size_t>(place.width) *
-                                 static_cast<std::size_t>(place.height));
+                         advance(place.texels());
                  });
     collect(states, statistics);
     return ratio;
@@ -196,8 +150,7 @@ Plane bilinearCones(const DepthMap& map, const ReliefTree& tree, const Advance& 
                 slope.at(i, j) = ratioOfSlope(safe, map.width());
             });
             if (advance)
-                advance(static_cast<std::size_t>(place.width) *
-                        static_cast<std::size_t>(place.height));
+                advance(place.texels());
         });
     collect(states, statistics);
     return slope;
@@ -207,6 +160,8 @@ Plane bilinearCones(const DepthMap& map, const ReliefTree& tree, const Advance& 
 
 Plane buildConservativeCones(const DepthMap& map, ConeGuarantee guarantee, const Advance& advance,
                              SlopeSearchStatistics* statistics) {
+    if (statistics != nullptr)
+        *statistics = {};
     const ReliefTree tree = buildReliefTree(buildDepthPyramid(map.depth));
     return guarantee == ConeGuarantee::Texel ? texelCones(map, tree, advance, statistics)
                                              : bilinearCones(map, tree, advance, statistics);

@@ -20,6 +20,16 @@ struct SlopeSearchStatistics {
     SlopeSearchStatistics& operator+=(const SlopeSearchStatistics& other) noexcept;
 };
 
+/// The directions of the chords that count, for apexes that are cells: chords between any point of
+/// the cell and any point of a cell with the sample at a corner.
+struct ChordSector {
+    enum class Half { Both, Shallow, Steep };
+    float signX = 0.0f;      ///< ±1: towards greater or smaller columns; 0: both
+    float signY = 0.0f;      ///< the same for rows
+    Half half = Half::Both;  ///< of a quadrant: |dx| ≥ |dy| or |dx| ≤ |dy|
+    float slack = 0.0f;      ///< how far past its border a half goes, along an axis
+};
+
 /// The rules of one kind of search. Lengths in texel widths.
 struct SlopeSearchRules {
     /// Samples no farther than this from an apex in both axes are left out: a window is searched
@@ -33,6 +43,32 @@ struct SlopeSearchRules {
     /// Slopes are rounded up to floats with so many bits after the first: a search gives up what
     /// cannot reach the next number, and what it finds does not depend on its order.
     int bits = 20;
+    ChordSector sector = {};
+};
+
+/// A copy of the tile that is searched: where its first sample lies, and which axes are mirrored.
+struct TileCopy {
+    int i = 0;
+    int j = 0;
+    bool flipsX = false;
+    bool flipsY = false;
+};
+
+/// Where a search looks.
+struct SlopeSearchSpace {
+    const ReliefTree& tree;
+    textures::WrapMode wrap;
+    float aspect;  ///< the height of a texel over its width
+    std::vector<TileCopy> copies;
+};
+
+/// A node on the stack of a search.
+struct SlopeSearchNode {
+    int level;
+    int i;
+    int j;
+    int copy;     ///< index of its copy of the tile
+    float bound;  ///< no chord into it is steeper, squared, for the packet as a whole
 };
 
 /// A sample, by column and row in the plane of all copies of the tile.
@@ -68,7 +104,9 @@ struct alignas(64) PacketSlopes {
 ///
 /// Under repeat the eight copies of the tile around it are searched as well. Under mirror and clamp
 /// the tile itself suffices: a chord to another copy crosses the border of the tile, and with the
-/// part behind the border folded back it is a chord to the same depth in the tile, no longer.
+/// part behind the border folded back it is a chord to the same depth in the tile, no longer. That
+/// changes its direction: in a sector the copies ahead are searched under mirror as well, and a
+/// clamped map, whose border texels go on for ever, is searched in whole quadrants.
 class SlopeSearch {
   public:
     /// `aspect`: the height of a texel over its width. The tree must outlive the search.
@@ -81,21 +119,10 @@ class SlopeSearch {
 
     [[nodiscard]] const SlopeSearchStatistics& statistics() const noexcept { return statistics_; }
 
-    struct Node {
-        int level;
-        int i;
-        int j;
-        int copyI;  ///< first column and row of the copy of the tile
-        int copyJ;
-        float bound;  ///< no chord into it is steeper, squared, for the packet as a whole
-    };
-
   private:
-    const ReliefTree& tree_;
-    bool repeats_;
-    float aspect_;
+    SlopeSearchSpace space_;
     SlopeSearchRules rules_;
-    std::vector<Node> stack_;
+    std::vector<SlopeSearchNode> stack_;
     SlopeSearchStatistics statistics_;
 };
 

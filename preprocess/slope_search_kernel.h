@@ -3,7 +3,7 @@
 
 #include "preprocess/lane_operations.h"
 
-using Node = SlopeSearch::Node;
+using Node = SlopeSearchNode;
 
 // A bound is computed with some eight roundings of floats: a node is given up only when it stays
 // under the slopes by more than these could have taken off.
@@ -19,14 +19,94 @@ struct Span {
     float leastGap;
 };
 
-// The search of one packet.
+// All apexes of a packet, in texel widths.
+struct PacketBounds {
+    float left;
+    float right;
+    float top;
+    float bottom;
+};
+
+// Which samples may be the ends of chords: those in the directions of a sector.
+class SectorSamples {
+  public:
+    static constexpr bool kHasPlanes = true;
+
+    SectorSamples(const ReliefTree& tree, const ChordSector& sector, float halfSide, float aspect)
+        : tree_(tree), sector_(sector), halfSide_(halfSide), halfHeight_(halfSide * aspect) {}
+
+    [[nodiscard]] int width() const { return tree_.width; }
+    [[nodiscard]] int height() const { return tree_.height; }
+    [[nodiscard]] int topLevel() const { return tree_.topLevel(); }
+    [[nodiscard]] float leastDepth() const { return tree_.leastDepth; }
+    [[nodiscard]] const ReliefQuad& quad(int level, int i, int j) const {
+        return tree_.quads[static_cast<std::size_t>(level)][tree_.index(level, i, j)];
+    }
+    [[nodiscard]] const std::array<float, 4>& depths(int i, int j) const {
+        return tree_.texels[tree_.index(1, i, j)];
+    }
+
+    // The least depth of a child of which some sample may count, for the packet as a whole.
+    [[nodiscard]] float least(const ReliefQuad& quad, std::size_t child, const Span& x,
+                              const Span& y, const PacketBounds& packet) const {
+        return reaches(x, y, packet) ? quad.least[child] : kUnbounded;
+    }
+
+    // Whether a sample counts, by its place as seen from the apexes.
+    [[nodiscard]] LaneMask counts(Lanes fromX, Lanes fromY) const {
+        LaneMask inside = LaneMask{} - 1;
+        const Lanes alongX = fromX * sector_.signX;
+        const Lanes alongY = fromY * sector_.signY;
+        if (sector_.signX != 0.0f)
+            inside &= alongX >= splat(-halfSide_);
+        if (sector_.signY != 0.0f)
+            inside &= alongY >= splat(-halfHeight_);
+        if (sector_.half == ChordSector::Half::Shallow)
+            inside &= alongY <= alongX + sector_.slack;
+        if (sector_.half == ChordSector::Half::Steep)
+            inside &= alongX <= alongY + sector_.slack;
+        return inside;
+    }
+
+  private:
+    // The farthest that the samples of a span are ahead of the packet, against `sign`.
+    static float ahead(const Span& span, float low, float high, float sign) {
+        return sign > 0.0f ? span.last - low : high - span.first;
+    }
+    static float aheadAtLeast(const Span& span, float low, float high, float sign) {
+        return sign > 0.0f ? span.first - high : low - span.last;
+    }
+    [[nodiscard]] bool reaches(const Span& x, const Span& y, const PacketBounds& packet) const {
+        const float farX = ahead(x, packet.left, packet.right, sector_.signX);
+        const float farY = ahead(y, packet.top, packet.bottom, sector_.signY);
+        if ((sector_.signX != 0.0f && farX < 0.0f) || (sector_.signY != 0.0f && farY < 0.0f))
+            return false;
+        if (sector_.half == ChordSector::Half::Shallow)
+            return aheadAtLeast(y, packet.top, packet.bottom, sector_.signY) <=
+                   farX + sector_.slack;
+        if (sector_.half == ChordSector::Half::Steep)
+            return aheadAtLeast(x, packet.left, packet.right, sector_.signX) <=
+                   farY + sector_.slack;
+        return true;
+    }
+
+    const ReliefTree& tree_;
+    const ChordSector sector_;
+    const float halfSide_;
+    const float halfHeight_;
+};
+
+// The search of one packet, among the samples that `Candidates` lets count.
+template <typename Candidates>
 class Traversal {
   public:
-    Traversal(const ReliefTree& tree, bool repeats, float aspect, const SlopeSearchRules& rules,
-              std::vector<Node>& stack, SlopeSearchStatistics& statistics)
-        : tree_(tree),
-          repeats_(repeats),
-          aspect_(aspect),
+    Traversal(const Candidates& candidates, const SlopeSearchSpace& space,
+              const SlopeSearchRules& rules, std::vector<Node>& stack,
+              SlopeSearchStatistics& statistics)
+        : candidates_(candidates),
+          copies_(space.copies),
+          wrap_(space.wrap),
+          aspect_(space.aspect),
           rules_(rules),
           stack_(stack),
           statistics_(statistics) {}
@@ -49,10 +129,10 @@ class Traversal {
     }
 
     void trySample(SamplePlace place) {
-        const int i = textures::wrapIndex(place.i, tree_.width, textures::WrapMode::Repeat);
-        const int j = textures::wrapIndex(place.j, tree_.height, textures::WrapMode::Repeat);
-        const float depth = tree_.texels[tree_.index(1, i / 2, j / 2)]
-                                        [static_cast<std::size_t>(i % 2 + 2 * (j % 2))];
+        const int i = textures::wrapIndex(place.i, candidates_.width(), wrap_);
+        const int j = textures::wrapIndex(place.j, candidates_.height(), wrap_);
+        const float depth =
+            candidates_.depths(i / 2, j / 2)[static_cast<std::size_t>(i % 2 + 2 * (j % 2))];
         trySample(place.i, place.j, depth);
     }
 
@@ -85,15 +165,29 @@ class Traversal {
         const Lanes gaps = larger(larger(first - positions, positions - last) - halfSide, Lanes{});
         return {first, last, gaps * gaps, std::max(std::max(first - high, low - last), 0.0f)};
     }
-    [[nodiscard]] Span columns(int level, int i, int copy) const {
-        const int last = std::min((i + 1) << level, tree_.width) - 1;
-        return spanOf(static_cast<float>(copy + (i << level)), static_cast<float>(copy + last), x_,
+    // The samples first…last of the tile along an axis of `size` texels, in a copy of it.
+    struct Range {
+        int first;
+        int last;
+    };
+    static Range inCopy(Range range, int size, int origin, bool flips) {
+        return flips ? Range{origin + size - 1 - range.last, origin + size - 1 - range.first}
+                     : Range{origin + range.first, origin + range.last};
+    }
+    static Range rangeOf(int level, int node, int size) {
+        return {node << level, std::min((node + 1) << level, size) - 1};
+    }
+    [[nodiscard]] Span columns(int level, int i, const TileCopy& copy) const {
+        const int width = candidates_.width();
+        const Range range = inCopy(rangeOf(level, i, width), width, copy.i, copy.flipsX);
+        return spanOf(static_cast<float>(range.first), static_cast<float>(range.last), x_,
                       rules_.halfSide, packet_.left, packet_.right);
     }
-    [[nodiscard]] Span rows(int level, int j, int copy) const {
-        const int last = std::min((j + 1) << level, tree_.height) - 1;
-        return spanOf(static_cast<float>(copy + (j << level)) * aspect_,
-                      static_cast<float>(copy + last) * aspect_, y_, rules_.halfSide * aspect_,
+    [[nodiscard]] Span rows(int level, int j, const TileCopy& copy) const {
+        const int height = candidates_.height();
+        const Range range = inCopy(rangeOf(level, j, height), height, copy.j, copy.flipsY);
+        return spanOf(static_cast<float>(range.first) * aspect_,
+                      static_cast<float>(range.last) * aspect_, y_, rules_.halfSide * aspect_,
                       packet_.top, packet_.bottom);
     }
 
@@ -120,7 +214,8 @@ class Traversal {
     // which is linear in y and so greatest at a corner. w points from the middle of the packet to
     // that of the node.
     [[nodiscard]] LaneMask mayRiseToPlane(const Span& x, const Span& y, float squaredDistance,
-                                          const ReliefQuad& quad, std::size_t child) const {
+                                          const ReliefQuad& quad, std::size_t child,
+                                          const TileCopy& copy) const {
         const float towardsX = x.first + x.last - packet_.left - packet_.right;
         const float towardsY = y.first + y.last - packet_.top - packet_.bottom;
         const float perLength =
@@ -131,17 +226,22 @@ class Traversal {
         const float shortening = 1.0f - 0.5f * q * (1.0f + q);
         const float wx = towardsX * perLength * shortening;
         const float wy = towardsY * perLength * shortening;
-        const float slopeX = quad.slopeX[child];
-        const float slopeY = quad.slopeY[child] / aspect_;
         const float width = x.last - x.first;
         const float height = y.last - y.first;
+        // In a mirrored copy the plane begins at its other end.
+        const float storedX = quad.slopeX[child];
+        const float storedY = quad.slopeY[child] / aspect_;
+        const float slopeX = copy.flipsX ? -storedX : storedX;
+        const float slopeY = copy.flipsY ? -storedY : storedY;
+        const float base = quad.base[child] + (copy.flipsX ? storedX * width : 0.0f) +
+                           (copy.flipsY ? storedY * height : 0.0f);
         // From the corner of the apex that is nearest, where it is a square.
         const float toFirst =
             wx * x.first + wy * y.first - rules_.halfSide * (std::abs(wx) + std::abs(wy) * aspect_);
         const Lanes along = toFirst - (x_ * wx + y_ * wy);
         const Lanes growthX = larger(-(top_ * wx + slopeX), Lanes{}) * width;
         const Lanes growthY = larger(-(top_ * wy + slopeY), Lanes{}) * height;
-        return (depth_ - quad.base[child]) + (growthX + growthY) > top_ * along;
+        return (depth_ - base) + (growthX + growthY) > top_ * along;
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -161,57 +261,62 @@ class Traversal {
     }
 
     void pushRoots() {
-        const int copies = repeats_ ? 1 : 0;
-        const int level = tree_.topLevel();
-        for (int b = -copies; b <= copies; ++b)
-            for (int a = -copies; a <= copies; ++a) {
-                const Span x = columns(level, 0, a * tree_.width);
-                const Span y = rows(level, 0, b * tree_.height);
-                const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
-                push({level, 0, 0, a * tree_.width, b * tree_.height,
-                      boundOf(distance, tree_.leastDepth)},
-                     0);
-            }
+        const int level = candidates_.topLevel();
+        for (std::size_t c = 0; c < copies_.size(); ++c) {
+            const Span x = columns(level, 0, copies_[c]);
+            const Span y = rows(level, 0, copies_[c]);
+            const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
+            push({level, 0, 0, static_cast<int>(c), boundOf(distance, candidates_.leastDepth())},
+                 0);
+        }
     }
 
     void pushChildren(const Node& parent) {
         const int level = parent.level - 1;
-        const ReliefQuad& quad = tree_.quads[static_cast<std::size_t>(parent.level)]
-                                            [tree_.index(parent.level, parent.i, parent.j)];
-        const Span xs[2] = {columns(level, 2 * parent.i, parent.copyI),
-                            columns(level, 2 * parent.i + 1, parent.copyI)};
-        const Span ys[2] = {rows(level, 2 * parent.j, parent.copyJ),
-                            rows(level, 2 * parent.j + 1, parent.copyJ)};
+        const TileCopy& copy = copies_[static_cast<std::size_t>(parent.copy)];
+        const auto& quad = candidates_.quad(parent.level, parent.i, parent.j);
+        const Span xs[2] = {columns(level, 2 * parent.i, copy),
+                            columns(level, 2 * parent.i + 1, copy)};
+        const Span ys[2] = {rows(level, 2 * parent.j, copy), rows(level, 2 * parent.j + 1, copy)};
         const std::size_t first = stack_.size();
         for (std::size_t k = 0; k < 4; ++k) {
             const Span& x = xs[k % 2];
             const Span& y = ys[k / 2];
-            const float least = quad.least[k];
-            if (!(least < greatestDepth_) || insideWindows(x, y))
+            if (!(quad.least[k] < greatestDepth_) || insideWindows(x, y))
+                continue;
+            const float least = candidates_.least(quad, k, x, y, packet_);
+            if (!(least < greatestDepth_))
                 continue;
             ++statistics_.nodes;
             const LaneMask rises = mayRise(x, y, least);
             if (!anyLane(rises))
                 continue;
-            // A node beside the packet is on more than one side of it: its plane says little.
             const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
-            const float side = static_cast<float>(1 << level);
-            if (distance > side * side && !anyLane(rises & mayRiseToPlane(x, y, distance, quad, k)))
-                continue;
+            if constexpr (Candidates::kHasPlanes) {
+                // A node beside the packet is on more than one side of it: its plane says little.
+                const float side = static_cast<float>(1 << level);
+                if (distance > side * side &&
+                    !anyLane(rises & mayRiseToPlane(x, y, distance, quad, k, copy)))
+                    continue;
+            }
             push({level, 2 * parent.i + static_cast<int>(k % 2),
-                  2 * parent.j + static_cast<int>(k / 2), parent.copyI, parent.copyJ,
-                  boundOf(distance, least)},
+                  2 * parent.j + static_cast<int>(k / 2), parent.copy, boundOf(distance, least)},
                  first);
         }
     }
 
     void tryChildren(const Node& node) {
-        const std::array<float, 4>& depths = tree_.texels[tree_.index(1, node.i, node.j)];
+        const TileCopy& copy = copies_[static_cast<std::size_t>(node.copy)];
+        const std::array<float, 4>& depths = candidates_.depths(node.i, node.j);
         changed_ = false;
         for (int k = 0; k < 4; ++k) {
             const float depth = depths[static_cast<std::size_t>(k)];
-            if (depth < greatestDepth_)
-                trySample(node.copyI + 2 * node.i + k % 2, node.copyJ + 2 * node.j + k / 2, depth);
+            if (!(depth < greatestDepth_))
+                continue;
+            const int i = 2 * node.i + k % 2;
+            const int j = 2 * node.j + k / 2;
+            trySample(inCopy({i, i}, candidates_.width(), copy.i, copy.flipsX).first,
+                      inCopy({j, j}, candidates_.height(), copy.j, copy.flipsY).first, depth);
         }
         if (changed_)
             roundSlopes();
@@ -226,7 +331,7 @@ class Traversal {
         const Lanes square = across * across + down * down - rules_.correction;
         const Lanes difference = depth_ - depth;
         const LaneMask steeper =
-            (difference > Lanes{}) &
+            (difference > Lanes{}) & candidates_.counts(fromX, fromY) &
             ((across > splat(rules_.window)) | (down > splat(rules_.window * aspect_))) &
             (difference * difference > square_ * square);
         if (!anyLane(steeper))
@@ -244,10 +349,11 @@ class Traversal {
         leastTopSquare_ = smallestLane(limit_);
     }
 
-    const ReliefTree& tree_;
-    const bool repeats_;
+    const Candidates& candidates_;
+    const std::vector<TileCopy>& copies_;
+    const textures::WrapMode wrap_;
     const float aspect_;
-    const SlopeSearchRules rules_;
+    const SlopeSearchRules& rules_;
     std::vector<Node>& stack_;
     SlopeSearchStatistics& statistics_;
 
@@ -260,21 +366,22 @@ class Traversal {
     Lanes limit_{};   // the squares of these, less what rounding may take off a bound
     LaneMask placeI_{};
     LaneMask placeJ_{};
-    struct {
-        float left;
-        float right;
-        float top;
-        float bottom;
-    } packet_{};  // all apexes, in texel widths
+    PacketBounds packet_{};
     float greatestDepth_ = 0.0f;
     float leastSquare_ = 0.0f;  // no sample outside the window is nearer
     float leastTopSquare_ = 0.0f;
     bool changed_ = false;
 };
 
-[[gnu::flatten]] inline void findPacketSlopes(Traversal traversal, const SlopePacket& packet,
+[[gnu::flatten]] inline void findPacketSlopes(const SlopeSearchSpace& space,
+                                              const SlopeSearchRules& rules,
+                                              const SlopePacket& packet,
                                               std::span<const SamplePlace> seeds,
+                                              std::vector<Node>& stack,
+                                              SlopeSearchStatistics& statistics,
                                               PacketSlopes& found) {
+    const SectorSamples candidates(space.tree, rules.sector, rules.halfSide, space.aspect);
+    Traversal<SectorSamples> traversal(candidates, space, rules, stack, statistics);
     traversal.begin(packet);
     for (const SamplePlace seed : seeds)
         traversal.trySample(seed);
