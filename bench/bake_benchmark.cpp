@@ -1,103 +1,96 @@
 #include "bench/bake_benchmark.h"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
 #include <algorithm>
-#include <array>
-#include <stdexcept>
 
+#include "bench/bake_builders.h"
 #include "bench/stopwatch.h"
+#include "commands/program.h"
 #include "commands/progress.h"
-#include "preprocess/cones_by_levels.h"
-#include "preprocess/conservative_cones.h"
-#include "preprocess/derivatives.h"
-#include "preprocess/normals.h"
+#include "preprocess/sequential_distances.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::bench {
 
 namespace {
 
-/// What builders start from.
-struct BakeInput {
-    textures::DepthMap map;
-    preprocess::Derivatives derivatives;
-};
-
-/// Counts of work that a run may report.
-struct BakeWork {
-    std::optional<double> nodesPerTexel;
-};
-
-struct BuilderEntry {
-    BakeBuilder builder;
-    void (*build)(const BakeInput& input, BakeWork& work);
-};
-
-template <preprocess::ConeGuarantee kGuarantee>
-void buildExactCones(const BakeInput& input, BakeWork& work) {
-    preprocess::SlopeSearchStatistics statistics;
-    preprocess::buildConservativeCones(input.map, kGuarantee, {}, &statistics);
-    work.nodesPerTexel =
-        static_cast<double>(statistics.nodes) / static_cast<double>(input.map.depth.texels.size());
+bool exceeds(const BakeBuilder& builder, int size) {
+    return builder.largestSize > 0 && size > builder.largestSize;
 }
 
-constexpr std::array kEntries{
-    BuilderEntry{
-        {"derivatives", "derivative map from the depth map"},
-        [](const BakeInput& input, BakeWork&) { preprocess::buildDerivatives(input.map); }},
-    BuilderEntry{{"normals", "normal map from the derivative map"},
-                 [](const BakeInput& input, BakeWork&) {
-                     preprocess::buildNormals(input.derivatives, 0.1);
-                 }},
-    BuilderEntry{{"cones-bilinear", "conservative cones, safe on the bilinear surface"},
-                 buildExactCones<preprocess::ConeGuarantee::Bilinear>},
-    BuilderEntry{{"cones-texel", "conservative cones between texel centres"},
-                 buildExactCones<preprocess::ConeGuarantee::Texel>},
-    BuilderEntry{
-        {"cones-levels", "conservative cones by 256 depth levels"},
-        [](const BakeInput& input, BakeWork&) { preprocess::buildConesByLevels(input.map); }},
-};
+// Runs `builder` and takes what it says of its work, per texel of the map. Checking distances is
+// not part of the time.
+BakeMeasurement measure(const BakeBuilder& builder, const BakeInput& input, int repeat) {
+    BakeOutput output;
+    BakeMeasurement measurement;
+    measurement.builder = builder.name;
+    measurement.seconds = leastSeconds(repeat, [&] { output = builder.build(input); });
+    const auto texels = static_cast<double>(input.map.depth.texels.size());
+    if (output.search) {
+        measurement.nodesPerTexel = static_cast<double>(output.search->nodes) / texels;
+        measurement.samplesPerTexel = static_cast<double>(output.search->samples) / texels;
+    }
+    if (output.ratios) {
+        double sum = 0.0;
+        for (const float ratio : output.ratios->texels)
+            sum += std::min(ratio, 1.0f);
+        measurement.meanRatio = sum / texels;
+    }
+    if (output.doubtfulDistances) {
+        const preprocess::DistanceErrors errors = preprocess::compareDistances(
+            *output.doubtfulDistances, preprocess::distancesTo(input.raised, input.map.width(),
+                                                               input.map.height(), input.map.wrap));
+        measurement.wrongTexels = static_cast<std::int64_t>(errors.tooLarge + errors.tooSmall);
+        measurement.greatestError = errors.greatest;
+    }
+    return measurement;
+}
 
-constexpr auto kBuilders = [] {
-    std::array<BakeBuilder, kEntries.size()> builders;
-    std::transform(kEntries.begin(), kEntries.end(), builders.begin(),
-                   [](const BuilderEntry& entry) { return entry.builder; });
-    return builders;
-}();
+// Whether `builder` can be measured at some size of the options; says what is left out and why.
+bool isMeasured(const BakeBuilder& builder, const std::vector<int>& sizes) {
+    if (builder.build == nullptr) {
+        commands::note(fmt::format(
+            "{} is left out: the library was not found when the program was built", builder.name));
+        return false;
+    }
+    for (const int size : sizes)
+        if (exceeds(builder, size))
+            commands::note(
+                fmt::format("{} is left out at {}x{}: at most {}x{} do not take too long",
+                            builder.name, size, size, builder.largestSize, builder.largestSize));
+    return true;
+}
 
-const BuilderEntry& entryOf(const std::string& name) {
-    const auto found =
-        std::find_if(kEntries.begin(), kEntries.end(),
-                     [&](const BuilderEntry& entry) { return entry.builder.name == name; });
-    if (found == kEntries.end())
-        throw std::invalid_argument("no map builder is called " + name);
-    return *found;
+template <typename Value>
+ReportCell cellOf(const std::optional<Value>& value) {
+    return value ? ReportCell(*value) : ReportCell();
 }
 
 }  // namespace
 
-std::span<const BakeBuilder> bakeBuilders() {
-    return kBuilders;
-}
-
 std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options) {
     const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(allowedThreads(options)));
-    commands::Progress progress(
-        "maps", options.samples.size() * options.sizes.size() * options.builders.size());
+    std::vector<const BakeBuilder*> builders;
+    for (const std::string& name : options.builders)
+        if (isMeasured(bakeBuilder(name), options.sizes))
+            builders.push_back(&bakeBuilder(name));
+    commands::Progress progress("maps",
+                                options.samples.size() * options.sizes.size() * builders.size());
     std::vector<BakeMeasurement> measurements;
     for (const std::string& sample : options.samples)
         for (const int size : options.sizes) {
-            BakeInput input{textures::generateSampleRelief(sample, size, size), {}};
-            input.derivatives = preprocess::buildDerivatives(input.map);
-            for (const std::string& builder : options.builders) {
-                const BuilderEntry& entry = entryOf(builder);
-                BakeWork work;
-                const double seconds =
-                    leastSeconds(options.repeat, [&] { entry.build(input, work); });
-                measurements.push_back({sample, builder, size, seconds, work.nodesPerTexel});
+            const BakeInput input =
+                makeBakeInput(textures::generateSampleRelief(sample, size, size));
+            for (const BakeBuilder* builder : builders) {
+                if (!exceeds(*builder, size)) {
+                    measurements.push_back(measure(*builder, input, options.repeat));
+                    measurements.back().sample = sample;
+                    measurements.back().size = size;
+                }
                 progress.advance();
             }
         }
@@ -115,11 +108,16 @@ ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
                      {"size", "size"},
                      {"milliseconds", "ms"},
                      {"nanosecondsPerTexel", "ns/texel"},
-                     {"nodesPerTexel", "nodes/texel"}};
+                     {"nodesPerTexel", "nodes/texel"},
+                     {"samplesPerTexel", "samples/texel"},
+                     {"meanRatio", "mean ratio"},
+                     {"wrongTexels", "wrong texels"},
+                     {"greatestError", "greatest error"}};
     for (const BakeMeasurement& m : measurements)
         table.rows.push_back({m.sample, m.builder, std::int64_t{m.size}, 1e3 * m.seconds,
-                              m.nanosecondsPerTexel(),
-                              m.nodesPerTexel ? ReportCell(*m.nodesPerTexel) : ReportCell()});
+                              m.nanosecondsPerTexel(), cellOf(m.nodesPerTexel),
+                              cellOf(m.samplesPerTexel), cellOf(m.meanRatio), cellOf(m.wrongTexels),
+                              cellOf(m.greatestError)});
     return table;
 }
 

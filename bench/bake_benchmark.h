@@ -2,25 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/gnuplot.h"
 #include "bench/report_table.h"
-#include "textures/depth_map.h"
 
 namespace relievo::bench {
-
-/// A map builder that can be measured.
-struct BakeBuilder {
-    std::string_view name;
-    std::string_view description;
-};
-
-/// derivatives, normals, cones-exact, cones-levels.
-std::span<const BakeBuilder> bakeBuilders();
 
 /// What to measure: every builder on every sample relief at every size (N×N texels).
 struct BakeBenchmarkOptions {
@@ -36,8 +24,15 @@ struct BakeMeasurement {
     std::string builder;
     int size = 0;
     double seconds = 0.0;  ///< of the fastest run
-    /// Pyramid nodes that the cone search looked at, per texel: the same on every machine.
+    /// Of a cone search, for each texel of the map: nodes and samples that were tried for a packet
+    /// of apexes. The same on every machine.
     std::optional<double> nodesPerTexel;
+    std::optional<double> samplesPerTexel;
+    /// Of cones: the mean ratio, those above 1 counted as 1.
+    std::optional<double> meanRatio;
+    /// Of distances that may be wrong: how many are, and the greatest error in texels.
+    std::optional<std::int64_t> wrongTexels;
+    std::optional<double> greatestError;
 
     [[nodiscard]] double nanosecondsPerTexel() const noexcept {
         return 1e9 * seconds / (static_cast<double>(size) * size);
@@ -46,6 +41,8 @@ struct BakeMeasurement {
 
 /// Measures, sample by sample, builder by builder, in the order of the options. The reliefs are
 /// generated, and the input of a builder that starts from another map is built, outside the time.
+/// Builders that this program lacks, and sizes that would take a builder too long, are left out
+/// with a note.
 std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options);
 
 /// The number of threads that `options` allow on this machine.

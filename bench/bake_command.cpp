@@ -1,5 +1,6 @@
 #include "bench/bake_command.h"
 
+#include "bench/bake_builders.h"
 #include "bench/benchmark_options.h"
 #include "commands/program.h"
 #include "textures/version.h"
@@ -24,7 +25,7 @@ BakeCommand::BakeCommand(CLI::App& app)
     command_->footer(
         "Examples:\n"
         "  relievo-bench bake --samples noise,ridge --sizes 256,512,1024\n"
-        "  relievo-bench bake --builders cones-exact --threads 1 --json bake.json --plot bake.svg");
+        "  relievo-bench bake --builders cones-texel --threads 1 --json bake.json --plot bake.svg");
 }
 
 void BakeCommand::run() const {

@@ -15,3 +15,17 @@ pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
 if(RELIEVO_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)
 endif()
+
+# OpenCV is optional: relievo-bench compares its distance transform with ours when it is there. Its
+# CMake package comes with libopencv-dev alone, which pulls hundreds of others: its headers and two
+# libraries are found without it.
+find_path(RELIEVO_OPENCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
+find_library(RELIEVO_OPENCV_CORE opencv_core)
+find_library(RELIEVO_OPENCV_IMGPROC opencv_imgproc)
+mark_as_advanced(RELIEVO_OPENCV_INCLUDE_DIR RELIEVO_OPENCV_CORE RELIEVO_OPENCV_IMGPROC)
+if(RELIEVO_OPENCV_INCLUDE_DIR AND RELIEVO_OPENCV_CORE AND RELIEVO_OPENCV_IMGPROC)
+  add_library(relievo_opencv INTERFACE IMPORTED)
+  set_target_properties(relievo_opencv PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${RELIEVO_OPENCV_INCLUDE_DIR}"
+    INTERFACE_LINK_LIBRARIES "${RELIEVO_OPENCV_IMGPROC};${RELIEVO_OPENCV_CORE}")
+endif()

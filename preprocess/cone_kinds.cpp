@@ -20,7 +20,6 @@ using textures::MapSet;
 using textures::Plane;
 
 constexpr int kLevels = 256;  // of the thesis, which knows 8-bit depths
-constexpr int kSteps = 128;   // of a ray
 
 std::vector<std::string> surfaceConeChannels(const ReliefPlan&) {
     return {"cone"};
@@ -69,9 +68,8 @@ std::string buildByMaxima(const MapRequest& request, MapSet& maps) {
 }
 
 std::string buildByRays(const MapRequest& request, MapSet& maps) {
-    addSurfaceCones(request, buildRelaxedConesByRays(request.relief, kSteps, request.advance),
-                    maps);
-    return fmt::format("rays of {} steps", kSteps);
+    addSurfaceCones(request, buildRelaxedConesByRays(request.relief, request.advance), maps);
+    return "rays between all texels";
 }
 
 constexpr ConeKind kKinds[] = {

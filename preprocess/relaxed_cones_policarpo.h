@@ -23,7 +23,7 @@ namespace relievo::preprocess {
 /// steps find where a ray leaves up to a step late.
 ///
 /// Units, rounding, unlimited cones and `advance` are those of buildConservativeCones.
-textures::Plane buildRelaxedConesByRays(const textures::DepthMap& map, int steps = 128,
+textures::Plane buildRelaxedConesByRays(const textures::DepthMap& map,
                                         const std::function<void(std::size_t)>& advance = {});
 
 }  // namespace relievo::preprocess

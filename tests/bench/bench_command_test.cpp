@@ -48,7 +48,9 @@ std::vector<Words> parseTable(const std::string& text) {
     return lines;
 }
 
-const Words kSmallBake{"bake", "--samples", "noise,wave", "--sizes", "8,13", "--repeat", "1"};
+const Words kSmallInput{"bake", "--samples", "noise,wave", "--sizes", "8,13", "--repeat", "1"};
+const Words kSmallBake =
+    kSmallInput + Words{"--builders", "derivatives,distances-4sed,cones-texel,cones-squares"};
 
 const Words kSmallRender{
     "render",       "--samples", "wave",    "--techniques", "normal,relief,cone",
@@ -61,14 +63,18 @@ TEST(BenchBake, TableHasARowAMeasurement) {
     EXPECT_EQ(result.errors, "");
     const std::vector<Words> table = parseTable(result.output);
     ASSERT_EQ(table.size(), 1u + 2 * 2 * 4);
-    EXPECT_EQ(table[0], (Words{"sample", "builder", "size", "ms", "ns/texel", "nodes/texel"}));
+    EXPECT_EQ(table[0], (Words{"sample", "builder", "size", "ms", "ns/texel", "nodes/texel",
+                               "samples/texel", "mean ratio", "wrong texels", "greatest error"}));
     std::set<Words> distinct;
     for (std::size_t row = 1; row < table.size(); ++row) {
-        ASSERT_EQ(table[row].size(), 6u);
+        ASSERT_EQ(table[row].size(), 10u);
         distinct.insert({table[row][0], table[row][1], table[row][2]});
         EXPECT_GT(std::stod(table[row][3]), 0.0);
-        // Only the search has nodes to count.
-        EXPECT_EQ(table[row][5] != "-", table[row][1] == "cones-exact");
+        // Only the search has work to count, only cones have ratios, only 4SED has errors.
+        EXPECT_EQ(table[row][5] != "-", table[row][1] == "cones-texel");
+        EXPECT_EQ(table[row][6] != "-", table[row][1] == "cones-texel");
+        EXPECT_EQ(table[row][7] != "-", table[row][1].starts_with("cones-"));
+        EXPECT_EQ(table[row][8] != "-", table[row][1] == "distances-4sed");
     }
     EXPECT_EQ(distinct.size(), table.size() - 1);
 }
@@ -88,18 +94,35 @@ TEST(BenchBake, WritesJsonAndPlot) {
         const double size = row.at("size");
         EXPECT_GT(perTexel, 0.0);
         EXPECT_NEAR(perTexel * size * size, row.at("milliseconds").get<double>() * 1e6, 1e-3);
-        EXPECT_EQ(row.at("nodesPerTexel").is_number(), row.at("builder") == "cones-exact");
+        EXPECT_EQ(row.at("nodesPerTexel").is_number(), row.at("builder") == "cones-texel");
     }
     const std::string svg = readBytes(folder.file("bake.svg"));
     EXPECT_THAT(svg, HasSubstr("<svg"));
-    EXPECT_THAT(svg, HasSubstr("cones-levels"));
+    EXPECT_THAT(svg, HasSubstr("cones-squares"));
     EXPECT_EQ(folder.list(), (Words{"bake.json", "bake.svg"}));
+}
+
+TEST(BenchBake, MeansAreTheSameForSearchesThatAreExact) {
+    Words means[2];
+    for (const Words& row : parseTable(bench(kSmallBake).output))
+        if (row[1].starts_with("cones-"))
+            means[row[1] == "cones-texel" ? 0 : 1].push_back(row.at(7));
+    EXPECT_EQ(means[0].size(), 4u);
+    EXPECT_EQ(means[0], means[1]);
+}
+
+TEST(BenchBake, LeavesOutWhatTakesTooLongWithANote) {
+    const ProcessResult result = bench({"bake", "--samples", "wave", "--sizes", "5,65", "--repeat",
+                                        "1", "--builders", "relaxed-policarpo"});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_EQ(parseTable(result.output).size(), 1u + 1);
+    EXPECT_THAT(result.errors, HasSubstr("relaxed-policarpo is left out at 65x65"));
 }
 
 TEST(BenchBake, WorkDoesNotDependOnThreads) {
     const auto nodes = [](const char* threads) {
         const ProcessResult result =
-            bench(kSmallBake + Words{"--builders", "cones-exact", "--threads", threads});
+            bench(kSmallInput + Words{"--builders", "cones-texel", "--threads", threads});
         Words column;
         for (const Words& row : parseTable(result.output))
             column.push_back(row.at(5));

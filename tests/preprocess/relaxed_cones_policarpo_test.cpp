@@ -102,7 +102,7 @@ TEST(RelaxedConesByRays, AreTheSameBytesForOneAndTwoThreadsAndSayHowFarTheyAre) 
     std::atomic<std::size_t> done{0};
     const auto build = [&](std::size_t threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildRelaxedConesByRays(map, 32, [&](std::size_t texels) { done += texels; }).texels;
+        return buildRelaxedConesByRays(map, [&](std::size_t texels) { done += texels; }).texels;
     };
     EXPECT_EQ(build(1), build(2));
     EXPECT_EQ(done, 2u * 20u * 14u);
