@@ -30,6 +30,8 @@ namespace relievo::bench {
 
 namespace {
 
+using preprocess::buildConservativeCones;
+using preprocess::ConeGuarantee;
 using reference::DescendingRay;
 using reference::MapSearchResult;
 using textures::DepthMap;
@@ -99,11 +101,17 @@ const std::array kEntries{
     KindEntry{{"pyramid", "pyramid of least depths, exact"}, preparePyramid},
     KindEntry{{"cones-texel", "conservative cones of texel centres, to 1e-4 of the depth"},
               [](const DepthMap& relief) {
-                  return prepareCones(preprocess::buildConservativeCones(relief), stepOnly);
+                  return prepareCones(buildConservativeCones(relief, ConeGuarantee::Texel),
+                                      stepOnly);
               }},
-    KindEntry{{"cones-texel-cell", "the same, solving cells"},
+    KindEntry{{"cones-bilinear", "conservative cones of the whole surface, to 1e-4 of the depth"},
               [](const DepthMap& relief) {
-                  return prepareCones(preprocess::buildConservativeCones(relief),
+                  return prepareCones(buildConservativeCones(relief, ConeGuarantee::Bilinear),
+                                      stepOnly);
+              }},
+    KindEntry{{"cones-bilinear-cell", "the same, solving cells: exact"},
+              [](const DepthMap& relief) {
+                  return prepareCones(buildConservativeCones(relief, ConeGuarantee::Bilinear),
                                       reference::searchByConesAndCells);
               }},
     KindEntry{{"cones-quick-cell", "quick cones of the max-mip, solving cells"},
