@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "preprocess/cone_encoding.h"
@@ -12,6 +13,7 @@
 #include "preprocess/quick_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
+#include "preprocess/roof_cones.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -46,6 +48,42 @@ std::string buildConservative(const MapRequest& request, MapSet& maps) {
     return countsOf(work, request);
 }
 
+// "roof" of the only layer, "roof0" of the first of several.
+std::string layerName(std::string_view channel, int layer, int sectors) {
+    return sectors == 1 ? std::string(channel) : fmt::format("{}{}", channel, layer);
+}
+
+std::vector<std::string> roofConeChannels(const ReliefPlan& plan) {
+    std::vector<std::string> names;
+    for (int layer = 0; layer < plan.sectors; ++layer) {
+        names.push_back(layerName("roof", layer, plan.sectors));
+        names.push_back(layerName("ratio", layer, plan.sectors));
+    }
+    return names;
+}
+
+std::string buildRoofs(const MapRequest& request, MapSet& maps) {
+    const int sectors = request.plan.sectors;
+    const RoofConeRules rules{.sectors = sectors};
+    // The layers together are the work that the caller knows as the texels of one map.
+    std::atomic<std::size_t> cells{0};
+    const auto advance = [&](std::size_t more) {
+        const auto layers = static_cast<std::size_t>(sectors);
+        const std::size_t before = cells.fetch_add(more);
+        if (request.advance)
+            request.advance((before + more) / layers - before / layers);
+    };
+    SlopeSearchStatistics work;
+    std::vector<RoofConeLayer> layers = buildRoofCones(request.relief, rules, advance, &work);
+    for (int layer = 0; layer < sectors; ++layer) {
+        RoofConeLayer& cones = layers[static_cast<std::size_t>(layer)];
+        maps.channels.push_back({layerName("roof", layer, sectors), std::move(cones.roof)});
+        maps.channels.push_back({layerName("ratio", layer, sectors), std::move(cones.ratio)});
+    }
+    maps.attributes["relievo:block"] = fmt::format("{}", rules.block);
+    return fmt::format("{} sectors, {}", sectors, countsOf(work, request));
+}
+
 std::string buildByLevels(const MapRequest& request, MapSet& maps) {
     addSurfaceCones(request, buildConesByLevels(request.relief, kLevels, request.advance), maps);
     return fmt::format("at most {} levels", kLevels);
@@ -77,6 +115,7 @@ constexpr ConeKind kKinds[] = {
      buildConservative<ConeGuarantee::Bilinear>},
     {"conservative", "texel", "exact", true, 16.0, surfaceConeChannels,
      buildConservative<ConeGuarantee::Texel>},
+    {"roof", "bilinear", "exact", false, 20.0, roofConeChannels, buildRoofs},
     {"conservative", "texel", "levels", true, 16.0, surfaceConeChannels, buildByLevels},
     {"conservative", "texel", "squares", true, 4.0, surfaceConeChannels, buildBySquares},
     {"conservative", "texel", "quick", true, 8.0, surfaceConeChannels, buildQuick},

@@ -75,6 +75,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.cone = arguments.cone;
     job.plan.guarantee = arguments.guarantee;
     job.plan.method = arguments.method;
+    job.plan.sectors = arguments.sectors;
     job.plan.encoding = textures::coneEncodingFromName(arguments.encoding);
     job.plan.format = formatFor(arguments);
     job.plan.normalScale = arguments.normalScale;
@@ -197,8 +198,14 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
     add("--cone", arguments.cone, "Kind of cones")
         ->check(CLI::IsMember(coneWords(&ConeKind::cone)))
         ->capture_default_str();
+    command
+        ->add_option("--sectors", arguments.sectors,
+                     "Sectors of directions that roof cones tell apart: 1, 4 or 8")
+        ->check(CLI::IsMember({1, 4, 8}))
+        ->capture_default_str();
     add("--guarantee", arguments.guarantee,
-        "What the cones are safe for: texel centres, or nothing [what the method gives]")
+        "What the cones are safe for: the bilinear surface, texel centres only, or nothing [the "
+        "first that kind and method have]")
         ->check(CLI::IsMember(coneWords(&ConeKind::guarantee)));
     add("--method", arguments.method,
         "Builder of the cones: exact, or a baseline: levels, squares, quick (conservative), "

@@ -15,7 +15,8 @@ struct ReliefArguments {
     std::string maps = "depth,derivative,cone";
     std::string cone = "conservative";
     std::string guarantee;  ///< empty: that of the first method that fits
-    std::string method;     ///< empty: the first that fits
+    int sectors = 4;
+    std::string method;  ///< empty: the first that fits
     std::string wrap = "repeat";
     std::string input = "height";
     std::string channel;

@@ -17,6 +17,7 @@ struct ReliefPlan {
     std::string cone = "conservative";                                ///< words of coneKinds()
     std::string guarantee;  ///< "": the first that coneKinds() has for the rest
     std::string method;     ///< likewise
+    int sectors = 4;        ///< of roof cones: 1, 4 or 8
     std::optional<textures::ConeEncoding> encoding;  ///< none: that of the kind of cones
     /// What the file will hold: the maps are those of the depths after this rounding.
     textures::StorageFormat format = textures::StorageFormat::Float;

@@ -83,16 +83,14 @@ Plane ratiosOf(const Plane& roof, const DepthMap& map, const ReliefTree& tree,
                const SlopeSearchRules& rules, const std::function<void(std::size_t)>& advance,
                SlopeSearchStatistics* statistics) {
     Plane ratio(map.width(), map.height());
-    tbb::enumerable_thread_specific<RoofState> states(
-        [&] { return RoofState(tree, map, rules); });
+    tbb::enumerable_thread_specific<RoofState> states([&] { return RoofState(tree, map, rules); });
     forAllBlocks(map.width(), map.height(), states, [&](RoofState& state, const BlockPlace& place) {
         state.apexes.left = static_cast<float>(place.left) + 0.5f;
         state.apexes.top = static_cast<float>(place.top) + 0.5f;
         state.apexes.width = place.width;
         state.apexes.height = place.height;
-        forTexels(place, [&](int i, int j, std::size_t k) {
-            state.apexes.depth[k] = roof.at(i, j);
-        });
+        forTexels(place,
+                  [&](int i, int j, std::size_t k) { state.apexes.depth[k] = roof.at(i, j); });
         findSlopes(state.search, state.apexes, state.slopes);
         forTexels(place, [&](int i, int j, std::size_t k) {
             ratio.at(i, j) = ratioOfSlope(state.slopes[k] * (1.0 + kSlopeRounding), map.width());
@@ -119,8 +117,8 @@ std::vector<RoofConeLayer> buildRoofCones(const DepthMap& map, const RoofConeRul
     for (int k = 0; k < rules.sectors; ++k) {
         const ChordSector sector = sectorOf(k, rules.sectors, map);
         RoofConeLayer layer;
-        layer.roof = roofsOf(map, reachOf(sector.signX, rules.block),
-                             reachOf(sector.signY, rules.block));
+        layer.roof =
+            roofsOf(map, reachOf(sector.signX, rules.block), reachOf(sector.signY, rules.block));
         layer.ratio = ratiosOf(layer.roof, map, tree,
                                {.window = static_cast<float>(rules.block),
                                 .correction = static_cast<float>((1.0 + aspect * aspect) / 4.0),

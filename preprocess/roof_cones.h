@@ -24,11 +24,11 @@ struct RoofConeRules {
     int block = 1;    ///< reach of a block in cells, at least 1
 };
 
-/// Roof cones (specification 3.6): the near relief is held under a roof, the cone says only what lies
-/// beyond, so that a search is exact and takes wide steps beside cliffs as well. Cell (i,j), the
-/// bilinear patch between texel centres i and i+1, j and j+1, is stored at texel (i,j). Its block is
-/// the cells within `block` of it, or in a sector itself and the `block` cells ahead along each
-/// axis; under mirror and clamp the cell before texel 0 shares the entry of cell 0.
+/// Roof cones (specification 3.6): the near relief is held under a roof, the cone says only what
+/// lies beyond, so that a search is exact and takes wide steps beside cliffs as well. Cell (i,j),
+/// the bilinear patch between texel centres i and i+1, j and j+1, is stored at texel (i,j). Its
+/// block is the cells within `block` of it, or in a sector itself and the `block` cells ahead along
+/// each axis; under mirror and clamp the cell before texel 0 shares the entry of cell 0.
 ///
 ///   ratio = inf over points x of the cell and y outside the block, in the directions of the sector
 ///           and with D(y) < roof, of |x − y| / (roof − D(y))

@@ -12,8 +12,8 @@ inline float roundDown(double value) {
     return static_cast<double>(nearest) > value ? std::nextafter(nearest, 0.0f) : nearest;
 }
 
-/// The cone of a slope (depth per texel width) over a map of so many texels a row: its ratio in tile
-/// widths per unit of depth, rounded down; unlimited over no slope.
+/// The cone of a slope (depth per texel width) over a map of so many texels a row: its ratio in
+/// tile widths per unit of depth, rounded down; unlimited over no slope.
 inline float ratioOfSlope(double slope, int width) {
     return slope > 0.0 ? roundDown(1.0 / (slope * width)) : std::numeric_limits<float>::infinity();
 }

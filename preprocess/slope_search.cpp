@@ -23,6 +23,9 @@ std::vector<int> tilesAlong(float sign, bool leads, float length, float otherLen
     for (int k = 1; k <= farthest; ++k)
         if (sign != 0.0f)
             tiles.push_back(sign > 0.0f ? k : -k);
+    // The last cell of the tile ends in the next tile.
+    if (sign < 0.0f)
+        tiles.push_back(1);
     if (sign == 0.0f)
         tiles = {-1, 0, 1};
     return tiles;

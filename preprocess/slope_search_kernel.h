@@ -373,13 +373,10 @@ class Traversal {
     bool changed_ = false;
 };
 
-[[gnu::flatten]] inline void findPacketSlopes(const SlopeSearchSpace& space,
-                                              const SlopeSearchRules& rules,
-                                              const SlopePacket& packet,
-                                              std::span<const SamplePlace> seeds,
-                                              std::vector<Node>& stack,
-                                              SlopeSearchStatistics& statistics,
-                                              PacketSlopes& found) {
+[[gnu::flatten]] inline void findPacketSlopes(
+    const SlopeSearchSpace& space, const SlopeSearchRules& rules, const SlopePacket& packet,
+    std::span<const SamplePlace> seeds, std::vector<Node>& stack, SlopeSearchStatistics& statistics,
+    PacketSlopes& found) {
     const SectorSamples candidates(space.tree, rules.sector, rules.halfSide, space.aspect);
     Traversal<SectorSamples> traversal(candidates, space, rules, stack, statistics);
     traversal.begin(packet);
