@@ -17,12 +17,14 @@
 #include "preprocess/depth_pyramid.h"
 #include "preprocess/quick_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
+#include "preprocess/roof_cones.h"
 #include "reference/adversarial_rays.h"
 #include "reference/bilinear_tracer.h"
 #include "reference/cone_search.h"
 #include "reference/pyramid_search.h"
 #include "reference/relaxed_search.h"
 #include "reference/relief_search.h"
+#include "reference/roof_search.h"
 #include "textures/sample_reliefs.h"
 #include "textures/storage_format.h"
 
@@ -90,6 +92,21 @@ PreparedSearch preparePyramid(const DepthMap& relief) {
             std::nullopt};
 }
 
+template <int kSectors, int kBlock>
+PreparedSearch prepareRoofs(const DepthMap& relief) {
+    const auto roofs = std::make_shared<reference::RoofMap>();
+    roofs->block = kBlock;
+    double mean = 0.0;
+    for (auto& [roof, ratio] : preprocess::buildRoofCones(relief, {kSectors, kBlock})) {
+        mean += meanOfLimited(ratio) / kSectors;
+        roofs->layers.push_back({std::move(roof), std::move(ratio)});
+    }
+    return {[roofs](const DepthMap& map, const DescendingRay& ray) {
+                return reference::searchByRoofs(map, *roofs, ray);
+            },
+            mean};
+}
+
 const std::array kEntries{
     KindEntry{{"relief", "relief mapping, 32 linear and 5 binary steps"},
               [](const DepthMap&) {
@@ -119,6 +136,12 @@ const std::array kEntries{
                   return prepareCones(preprocess::buildQuickCones(relief),
                                       reference::searchByConesAndCells);
               }},
+    KindEntry{{"roof-1", "roof cones, 1 sector, blocks of 3×3 cells: exact"}, prepareRoofs<1, 1>},
+    KindEntry{{"roof-4", "4 sectors, blocks of 2×2 cells ahead: exact"}, prepareRoofs<4, 1>},
+    KindEntry{{"roof-8", "8 sectors, blocks of 2×2 cells ahead: exact"}, prepareRoofs<8, 1>},
+    KindEntry{{"roof-1-far", "1 sector, blocks of 5×5 cells: exact"}, prepareRoofs<1, 2>},
+    KindEntry{{"roof-4-far", "4 sectors, blocks of 3×3 cells ahead: exact"}, prepareRoofs<4, 2>},
+    KindEntry{{"roof-8-far", "8 sectors, blocks of 3×3 cells ahead: exact"}, prepareRoofs<8, 2>},
     KindEntry{{"relaxed-maxima", "relaxed cones by local maxima, 10 bisections"},
               [](const DepthMap& relief) {
                   return prepareCones(preprocess::buildRelaxedConesByMaxima(relief), stepAndBisect);
