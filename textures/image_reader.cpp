@@ -109,6 +109,41 @@ ImageInfo describe(const OIIO::ImageSpec& spec) {
     return info;
 }
 
+/// Where OpenImageIO has level `level` of an image: EXR has MIP levels, TIFF further pictures.
+struct LevelPlace {
+    int subimage = 0;
+    int mip = 0;
+};
+
+LevelPlace placeOf(const OIIO::ImageInput& image, int level) {
+    return std::string_view(image.format_name()) == "tiff" ? LevelPlace{level, 0}
+                                                           : LevelPlace{0, level};
+}
+
+bool seekLevel(OIIO::ImageInput& image, int level) {
+    const auto [subimage, mip] = placeOf(image, level);
+    return image.seek_subimage(subimage, mip);
+}
+
+/// The sizes of all levels, each half of the one before: what has another size is no level of it.
+std::vector<LevelSize> levelSizes(OIIO::ImageInput& image) {
+    std::vector<LevelSize> sizes{{image.spec().width, image.spec().height}};
+    if (image.spec().tile_width == 0)  // levels are tiled
+        return sizes;
+    for (int level = 1; seekLevel(image, level); ++level) {
+        const OIIO::ImageSpec& spec = image.spec();
+        const LevelSize half{std::max(sizes.back().width / 2, 1),
+                             std::max(sizes.back().height / 2, 1)};
+        const bool isLast = sizes.back().width == 1 && sizes.back().height == 1;
+        if (isLast || spec.width != half.width || spec.height != half.height)
+            break;
+        sizes.push_back(half);
+    }
+    image.seek_subimage(0, 0);
+    image.geterror();  // that there are no more levels is no error
+    return sizes;
+}
+
 }  // namespace
 
 struct ImageReader::Input {
@@ -117,18 +152,19 @@ struct ImageReader::Input {
     /// Rows first to end−1 of some channels, interleaved. The TIFF reader fills strips that the
     /// file lacks with zeros, and has a message but returns true.
     template <class Sample>
-    bool readRows(int firstRow, int endRow, int firstChannel, int channels, OIIO::TypeDesc type,
-                  std::vector<Sample>& samples) const {
-        const OIIO::ImageSpec& spec = image->spec();
+    bool readRows(int level, int firstRow, int endRow, int firstChannel, int channels,
+                  OIIO::TypeDesc type, std::vector<Sample>& samples) const {
+        const auto [subimage, mip] = placeOf(*image, level);
+        const OIIO::ImageSpec spec = image->spec_dimensions(subimage, mip);
         samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels) *
                        static_cast<std::size_t>(endRow - firstRow));
         const int end = firstChannel + channels;
         const bool good =
             spec.tile_width > 0
-                ? image->read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + firstRow,
+                ? image->read_tiles(subimage, mip, spec.x, spec.x + spec.width, spec.y + firstRow,
                                     spec.y + endRow, spec.z, spec.z + 1, firstChannel, end, type,
                                     samples.data())
-                : image->read_scanlines(0, 0, spec.y + firstRow, spec.y + endRow, spec.z,
+                : image->read_scanlines(subimage, mip, spec.y + firstRow, spec.y + endRow, spec.z,
                                         firstChannel, end, type, samples.data());
         return good && !image->has_error();
     }
@@ -136,14 +172,16 @@ struct ImageReader::Input {
     /// Integers are divided by `maximum` here, once and in double: OpenImageIO multiplies by a
     /// rounded inverse. The planes grow with what is read: a header alone gets no memory.
     template <class Sample>
-    bool read(int first, std::vector<Plane>& planes, OIIO::TypeDesc type, double maximum) const {
-        const OIIO::ImageSpec& spec = image->spec();
+    bool read(int level, int first, std::vector<Plane>& planes, OIIO::TypeDesc type,
+              double maximum) const {
+        const auto [subimage, mip] = placeOf(*image, level);
+        const OIIO::ImageSpec spec = image->spec_dimensions(subimage, mip);
         const std::size_t channels = planes.size();
         const int rowsAtOnce = spec.tile_width > 0 ? spec.tile_height : kRowsAtOnce;
         std::vector<Sample> samples;
         for (int row = 0; row < spec.height; row += rowsAtOnce) {
             const int end = std::min(row + rowsAtOnce, spec.height);
-            if (!readRows(row, end, first, static_cast<int>(channels), type, samples))
+            if (!readRows(level, row, end, first, static_cast<int>(channels), type, samples))
                 return false;
             for (std::size_t c = 0; c < channels; ++c)
                 for (std::size_t k = c; k < samples.size(); k += channels)
@@ -167,6 +205,7 @@ ImageReader::ImageReader(std::filesystem::path file, double largest) : file_(std
     const OIIO::ImageSpec& spec = input_->image->spec();
     checkShape(file_, spec, largest);
     info_ = describe(spec);
+    info_.levels = levelSizes(*input_->image);
 }
 
 ImageReader::~ImageReader() = default;
@@ -186,27 +225,44 @@ int ImageReader::channelIndex(const std::string& nameOrNumber) const {
     return number;
 }
 
-std::vector<Plane> ImageReader::readChannels(int first, int count) {
+std::vector<Plane> ImageReader::readChannels(int first, int count, std::size_t level) {
     assert(first >= 0 && count >= 1 &&
            first + count <= static_cast<int>(info_.channelNames.size()));
     std::vector<Plane> planes(static_cast<std::size_t>(count));
+    const LevelSize size = info_.levels.at(level);
     for (Plane& plane : planes) {
-        plane.width = info_.width;
-        plane.height = info_.height;
-        plane.texels.reserve(static_cast<std::size_t>(info_.width) *
-                             static_cast<std::size_t>(info_.height));
+        plane.width = size.width;
+        plane.height = size.height;
+        plane.texels.reserve(static_cast<std::size_t>(size.width) *
+                             static_cast<std::size_t>(size.height));
     }
+    const int mip = static_cast<int>(level);
     bool good = false;
     if (info_.type == SampleType::U8)
-        good = input_->read<std::uint8_t>(first, planes, OIIO::TypeDesc::UINT8, 255.0);
+        good = input_->read<std::uint8_t>(mip, first, planes, OIIO::TypeDesc::UINT8, 255.0);
     else if (info_.type == SampleType::U16)
-        good = input_->read<std::uint16_t>(first, planes, OIIO::TypeDesc::UINT16, 65535.0);
+        good = input_->read<std::uint16_t>(mip, first, planes, OIIO::TypeDesc::UINT16, 65535.0);
     else
-        good = input_->read<float>(first, planes, OIIO::TypeDesc::FLOAT, 1.0);
+        good = input_->read<float>(mip, first, planes, OIIO::TypeDesc::FLOAT, 1.0);
     if (!good)
-        reject(file_, fmt::format("is truncated or damaged ({}), expected a whole image",
-                                  reason(input_->image->geterror())));
+        rejectDamaged();
     return planes;
+}
+
+void ImageReader::requireEnd() {
+    const int height = info_.levels.back().height;
+    std::vector<float> samples;
+    const OIIO::ImageSpec spec = input_->image->spec();
+    const int rows = spec.tile_width > 0 ? spec.tile_height : 1;
+    if (!input_->readRows(static_cast<int>(info_.levels.size()) - 1, (height - 1) / rows * rows,
+                          height, 0, static_cast<int>(info_.channelNames.size()),
+                          OIIO::TypeDesc::FLOAT, samples))
+        rejectDamaged();
+}
+
+void ImageReader::rejectDamaged() {
+    reject(file_, fmt::format("is truncated or damaged ({}), expected a whole image",
+                              reason(input_->image->geterror())));
 }
 
 }  // namespace relievo::textures

@@ -82,6 +82,15 @@ class AtomicFileProxy : public OIIO::Filesystem::IOProxy {
         size_ = std::max(size_, static_cast<std::size_t>(offset) + size);
         return size;
     }
+    /// The TIFF library reads what it has written to link the pictures of a file.
+    std::size_t read(void* bytes, std::size_t size) override {
+        const std::size_t done = pread(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(done);
+        return done;
+    }
+    std::size_t pread(void* bytes, std::size_t size, std::int64_t offset) override {
+        return file_.readAt(offset, {static_cast<std::byte*>(bytes), size});
+    }
     [[nodiscard]] std::size_t size() const override { return size_; }
     void rethrowFailure() const {
         if (failure_)
@@ -143,16 +152,20 @@ bool writeSamples(OIIO::ImageOutput& output, const ImageLevel& level, StorageFor
 bool writeLevels(OIIO::ImageOutput& output, const std::string& name,
                  const ImageDescription& description, std::span<const ImageLevel> levels) {
     const bool isPng = lowerExtension(name) == ".png";
+    // TIFF has none; there they are further pictures of the file.
+    const bool hasMips = output.supports("mipmap") != 0;
+    const auto furtherLevel =
+        hasMips ? OIIO::ImageOutput::AppendMIPLevel : OIIO::ImageOutput::AppendSubimage;
     for (const ImageLevel& level : levels) {
         const bool isFirst = &level == &levels.front();
         OIIO::ImageSpec spec = specOf(description, level, isPng);
         if (levels.size() > 1) {
             spec.tile_width = spec.tile_height = kRowsAtOnce;
             spec.tile_depth = 1;
-            spec.attribute("textureformat", "Plain Texture");
+            if (hasMips)
+                spec.attribute("textureformat", "Plain Texture");
         }
-        if (!output.open(name, spec,
-                         isFirst ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel) ||
+        if (!output.open(name, spec, isFirst ? OIIO::ImageOutput::Create : furtherLevel) ||
             !writeSamples(output, level, description.format))
             return false;
     }

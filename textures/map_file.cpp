@@ -109,11 +109,28 @@ RowSource rowsOf(const Plane* values, const ChannelCoding& coding) {
 /// Everything about a map file but its samples, and where these come from.
 struct MapFileContent {
     ImageDescription description;
-    ImageLevel level;
+    std::vector<ImageLevel> levels;
 };
 
-MapFileContent contentOf(const std::filesystem::path& file, const MapSet& maps,
+/// The channel called `name` in all levels; one range serves them all, as one texture does.
+void addChannel(const std::string& name, std::span<const MapSet> levels, ChannelRanges& ranges,
+                MapFileContent& content) {
+    std::vector<const Plane*> planes;
+    for (const MapSet& level : levels)
+        planes.push_back(level.find(name));
+    const StorageFormat format = content.description.format;
+    ChannelCoding coding;
+    if (planes.front() != nullptr)
+        coding = channelCoding(planes, name, format, levels.front().encoding);
+    if (planes.front() != nullptr && isPackedFormat(format))
+        ranges[name] = coding.range;
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        content.levels[k].channels.push_back(rowsOf(planes[k], coding));
+}
+
+MapFileContent contentOf(const std::filesystem::path& file, std::span<const MapSet> levels,
                          StorageFormat format) {
+    const MapSet& maps = levels.front();
     const bool isPacked = isPackedFormat(format);
     std::vector<std::string> layout;
     if (isPacked)
@@ -121,17 +138,12 @@ MapFileContent contentOf(const std::filesystem::path& file, const MapSet& maps,
     else
         for (const Channel& channel : maps.channels)
             layout.push_back(channel.name);
-    MapFileContent content{{{}, format, {}, false}, {maps.width(), maps.height(), {}}};
+    MapFileContent content{{{}, format, {}, false}, {}};
+    for (const MapSet& level : levels)
+        content.levels.push_back({level.width(), level.height(), {}});
     ChannelRanges ranges;
-    for (const std::string& name : layout) {
-        const Plane* const values = maps.find(name);
-        const ChannelCoding coding =
-            values != nullptr ? channelCoding(std::array{values}, name, format, maps.encoding)
-                              : ChannelCoding{};
-        if (values != nullptr && isPacked)
-            ranges[name] = coding.range;
-        content.level.channels.push_back(rowsOf(values, coding));
-    }
+    for (const std::string& name : layout)
+        addChannel(name, levels, ranges, content);
     content.description.attributes = describeMaps(maps, layout, ranges);
     if (!isPacked)
         content.description.channelNames = layout;
@@ -139,6 +151,27 @@ MapFileContent contentOf(const std::filesystem::path& file, const MapSet& maps,
         content.description.attributes = {
             {kDescription, nlohmann::json(content.description.attributes).dump()}};
     return content;
+}
+
+/// Mistakes of the caller.
+void checkLevels(std::span<const MapSet> levels) {
+    if (levels.empty())
+        throw std::invalid_argument("a map file needs at least one level");
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        checkChannels(levels[k]);
+        if (k == 0)
+            continue;
+        const MapSet& before = levels[k - 1];
+        const bool isHalf = levels[k].width() == std::max(before.width() / 2, 1) &&
+                            levels[k].height() == std::max(before.height() / 2, 1);
+        const bool hasSameChannels = std::ranges::equal(levels[k].channels, before.channels, {},
+                                                        &Channel::name, &Channel::name);
+        if (!isHalf || !hasSameChannels)
+            throw std::invalid_argument("a level must halve the one before, channel by channel");
+    }
+    const MapSet& last = levels.back();
+    if (levels.size() > 1 && (last.width() > 1 || last.height() > 1))
+        throw std::invalid_argument("levels must go down to one texel");
 }
 
 TextAttributes attributesOf(const ImageInfo& info) {
@@ -224,16 +257,72 @@ void takeNamedChannels(std::vector<Plane> planes, const std::vector<std::string>
     }
 }
 
+/// A map file whose metadata makes sense.
+class MapFileReader {
+  public:
+    explicit MapFileReader(const std::filesystem::path& file)
+        : name_(file.string()),
+          reader_(file, kLargestMap),
+          attributes_(attributesOf(reader_.info())),
+          description_(mapsFromAttributes(attributes_, name_)),
+          layout_(layoutFromAttributes(attributes_, name_)),
+          format_(formatOf(reader_.info(), name_)) {}
+
+    [[nodiscard]] std::size_t levelCount() const { return reader_.info().levels.size(); }
+
+    [[nodiscard]] MapSet read(std::size_t level) {
+        const ImageInfo& info = reader_.info();
+        MapSet maps = description_;
+        const LevelSize size = info.levels.at(level);
+        // The tile has the aspect of the first level, whose texels are squares.
+        maps.texelAspect =
+            level == 0 ? 1.0
+                       : static_cast<double>(info.height) / info.width * size.width / size.height;
+        std::vector<Plane> planes =
+            reader_.readChannels(0, static_cast<int>(info.channelNames.size()), level);
+        if (isPackedFormat(format_))
+            unpackChannels(std::move(planes), layout_, rangesFromAttributes(attributes_, name_),
+                           format_, name_, maps);
+        else
+            takeNamedChannels(std::move(planes), info.channelNames, layout_, name_, maps);
+        for (const Channel& channel : maps.channels)
+            checkValues(channel, name_);
+        return maps;
+    }
+
+    [[nodiscard]] MapSet readDescription() {
+        reader_.requireEnd();
+        return description_;
+    }
+
+  private:
+    std::string name_;
+    ImageReader reader_;
+    TextAttributes attributes_;
+    MapSet description_;
+    std::vector<std::string> layout_;
+    StorageFormat format_;
+};
+
 }  // namespace
 
-void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format) {
-    checkChannels(maps);
+void writeMapFile(const std::filesystem::path& file, std::span<const MapSet> levels,
+                  StorageFormat format) {
+    checkLevels(levels);
     requireExtensionFor(file, format);
-    requireReadableSize(file, maps);
-    for (const Channel& channel : maps.channels)
-        checkStorable(file, channel, format);
-    const MapFileContent content = contentOf(file, maps, format);
-    writeImage(file, content.description, std::span(&content.level, 1));
+    if (levels.size() > 1 && lowerExtension(file) == ".png")
+        throw InputError(file.string() +
+                         ": a PNG file holds no MIP levels, expected .exr or .tif for them");
+    requireReadableSize(file, levels.front());
+    for (const MapSet& level : levels)
+        for (const Channel& channel : level.channels)
+            checkStorable(file, channel, format);
+    const MapFileContent content = contentOf(file, levels, format);
+    writeImage(file, content.description, content.levels);
+}
+
+void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format) {
+    writeMapFile(file, std::span(&maps, 1), format);
 }
 
 bool isMapFile(const std::filesystem::path& file) {
@@ -244,22 +333,19 @@ bool isMapFile(const std::filesystem::path& file) {
 }
 
 MapSet readMapFile(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    ImageReader reader(file, kLargestMap);
-    const ImageInfo& info = reader.info();
-    const TextAttributes attributes = attributesOf(info);
-    MapSet maps = mapsFromAttributes(attributes, name);
-    const std::vector<std::string> layout = layoutFromAttributes(attributes, name);
-    const StorageFormat format = formatOf(info, name);
-    std::vector<Plane> planes = reader.readChannels(0, static_cast<int>(info.channelNames.size()));
-    if (isPackedFormat(format))
-        unpackChannels(std::move(planes), layout, rangesFromAttributes(attributes, name), format,
-                       name, maps);
-    else
-        takeNamedChannels(std::move(planes), info.channelNames, layout, name, maps);
-    for (const Channel& channel : maps.channels)
-        checkValues(channel, name);
-    return maps;
+    return MapFileReader(file).read(0);
+}
+
+std::vector<MapSet> readMapLevels(const std::filesystem::path& file) {
+    MapFileReader reader(file);
+    std::vector<MapSet> levels;
+    for (std::size_t k = 0; k < reader.levelCount(); ++k)
+        levels.push_back(reader.read(k));
+    return levels;
+}
+
+MapSet readMapDescription(const std::filesystem::path& file) {
+    return MapFileReader(file).readDescription();
 }
 
 }  // namespace relievo::textures

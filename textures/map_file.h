@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "textures/map_set.h"
 #include "textures/storage_format.h"
@@ -16,12 +18,26 @@ namespace relievo::textures {
 /// (not finite), or when writing fails. The same maps give the same bytes.
 void writeMapFile(const std::filesystem::path& file, const MapSet& maps, StorageFormat format);
 
+/// Writes a map file with MIP levels: `levels` are the maps of a relief and of its levels, with the
+/// same channels and metadata, each of half the size of the one before, rounded down, to 1×1. The
+/// file is tiled. PNG files hold one level; otherwise as above.
+void writeMapFile(const std::filesystem::path& file, std::span<const MapSet> levels,
+                  StorageFormat format);
+
 /// Whether the image `file` says that it is a map file: it has an attribute called `relievo:…`.
 /// Throws InputError for what is no image.
 bool isMapFile(const std::filesystem::path& file);
 
-/// Reads a map file written by writeMapFile. Throws InputError that names the missing or senseless
-/// attribute or channel.
+/// Reads a map file written by writeMapFile, of several levels the first. Throws InputError that
+/// names the missing or senseless attribute or channel.
 MapSet readMapFile(const std::filesystem::path& file);
+
+/// Reads all levels of a map file: one, or as many as it has down to 1×1, each with its
+/// texelAspect. Throws as readMapFile.
+std::vector<MapSet> readMapLevels(const std::filesystem::path& file);
+
+/// What a map file says about itself: its metadata without the channels. Throws InputError when it
+/// makes no sense, or when the end of the file is missing.
+MapSet readMapDescription(const std::filesystem::path& file);
 
 }  // namespace relievo::textures

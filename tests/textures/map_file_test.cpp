@@ -112,6 +112,78 @@ TEST_F(MapFile, TallFilesComeBackWhole) {
     }
 }
 
+std::vector<MapSet> randomLevels(int width, int height) {
+    std::vector<MapSet> levels{randomMaps(width, height)};
+    while (width > 1 || height > 1) {
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        levels.push_back(randomMaps(width, height));
+    }
+    return levels;
+}
+
+TEST_F(MapFile, LevelsComeBackWithTheirShapes) {
+    for (const FileKind& kind : kKinds) {
+        SCOPED_TRACE(kind.name);
+        const bool isPng = std::string_view(kind.name).ends_with(".png");
+        for (const auto& [width, height] : {std::array{150, 71}, std::array{1, 5}}) {
+            const std::vector<MapSet> levels = randomLevels(width, height);
+            if (isPng) {
+                EXPECT_THAT(errorOf([&] { writeMapFile(file(kind.name), levels, kind.format); }),
+                            HasSubstr("expected .exr or .tif"));
+                continue;
+            }
+            writeMapFile(file(kind.name), levels, kind.format);
+            const std::vector<MapSet> read = readMapLevels(file(kind.name));
+            ASSERT_EQ(read.size(), levels.size());
+            EXPECT_EQ(readMapFile(file(kind.name)).find("dx")->texels, read[0].find("dx")->texels);
+            EXPECT_EQ(readMapDescription(file(kind.name)).source, levels[0].source);
+            for (std::size_t k = 0; k < levels.size(); ++k) {
+                EXPECT_EQ(read[k].width(), levels[k].width());
+                EXPECT_NEAR(depthMapOf(read[k]).aspect(), static_cast<double>(height) / width,
+                            1e-12);
+                EXPECT_EQ(read[k].attributes, levels[0].attributes);
+                for (std::size_t t = 0; t < levels[k].channels[3].plane.texels.size(); ++t) {
+                    EXPECT_LE(read[k].find("cone")->texels[t],
+                              levels[k].channels[3].plane.texels[t]);
+                    EXPECT_NEAR(read[k].find("depth")->texels[t],
+                                levels[k].channels[0].plane.texels[t], 0.5 / 255 + 1e-6);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(MapFile, LevelsThatAreNoneAreRefused) {
+    std::vector<MapSet> levels = randomLevels(9, 4);
+    levels.pop_back();
+    EXPECT_THROW(writeMapFile(file("a.exr"), levels, StorageFormat::Float), std::invalid_argument);
+    levels = randomLevels(9, 4);
+    levels.erase(levels.begin() + 1);
+    EXPECT_THROW(writeMapFile(file("a.exr"), levels, StorageFormat::Float), std::invalid_argument);
+    levels = randomLevels(9, 4);
+    levels[2].channels.pop_back();
+    EXPECT_THROW(writeMapFile(file("a.exr"), levels, StorageFormat::Float), std::invalid_argument);
+}
+
+TEST_F(MapFile, TheDescriptionNeedsTheEndOfTheFile) {
+    for (const bool hasLevels : {false, true})
+        for (const FileKind& kind : kKinds) {
+            if (hasLevels && std::string_view(kind.name).ends_with(".png"))
+                continue;
+            SCOPED_TRACE(kind.name);
+            const std::vector<MapSet> levels =
+                hasLevels ? randomLevels(100, 90) : std::vector{randomMaps(100, 90)};
+            writeMapFile(file(kind.name), levels, kind.format);
+            const std::string whole = readBytes(file(kind.name));
+            EXPECT_EQ(readMapDescription(file(kind.name)).attributes, levels[0].attributes);
+            for (const std::size_t missing : {std::size_t{1}, whole.size() / 2}) {
+                writeBytes(file(kind.name), whole.substr(0, whole.size() - missing));
+                EXPECT_THROW(readMapDescription(file(kind.name)), InputError) << missing;
+            }
+        }
+}
+
 TEST_F(MapFile, UnequalMapsGiveUnequalBytes) {
     MapSet maps = randomMaps(23, 17);
     writeMapFile(file("a.exr"), maps, StorageFormat::Float);
