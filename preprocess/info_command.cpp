@@ -72,12 +72,16 @@ Json describeImage(const std::string& file) {
 
 Json describeMaps(const std::string& file) {
     const textures::MapSet maps = textures::readMapFile(file);
+    const textures::ImageInfo header = textures::ImageReader(file, textures::kLargestMap).info();
     Json description{{"file", file},
                      {"kind", maps.kind},
                      {"width", maps.width()},
                      {"height", maps.height()},
-                     {"format", typeName(textures::ImageReader(file).info().type)},
+                     {"format", typeName(header.type)},
                      {"wrap", textures::wrapModeName(maps.wrap)}};
+    if (header.levels.size() > 1)
+        for (const auto& [width, height] : header.levels)
+            description["levels"].push_back(fmt::format("{}x{}", width, height));
     if (maps.find("cone") != nullptr)
         description["encoding"] = textures::coneEncodingName(maps.encoding);
     description["source"] = maps.source;
@@ -110,6 +114,8 @@ void print(const Json& description) {
         else if (key == "attributes")
             for (const auto& [name, word] : value.items())
                 commands::answer(fmt::format("{:<22} {}", name, textOf(word)));
+        else if (key == "levels")
+            commands::answer(fmt::format("{:<10} {} down to 1x1", key, value.size()));
         else
             commands::answer(fmt::format("{:<10} {}", key, textOf(value)));
 }

@@ -85,6 +85,8 @@ std::uint64_t leftInGroups(const std::filesystem::path& root) {
 }  // namespace
 
 double memoryPerTexel(const ReliefPlan& plan) {
+    // The depths of all MIP levels are there from the start, the maps of the small ones at the end.
+    const double levels = plan.mips ? 4.0 / 3.0 : 1.0;
     double peak = kReadingBytes;
     double built = kPlaneBytes;  // the depths, from first to last
     for (const MapKind& kind : mapKinds())
@@ -92,7 +94,7 @@ double memoryPerTexel(const ReliefPlan& plan) {
             built += kPlaneBytes * static_cast<double>(kind.channels(plan).size());
             peak = std::max(peak, built + kind.workingBytes(plan));
         }
-    return peak;
+    return peak + built * (levels - 1.0);
 }
 
 std::uint64_t memoryNeed(const ReliefPlan& plan, int width, int height) {

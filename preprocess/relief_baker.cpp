@@ -10,6 +10,7 @@
 
 #include "preprocess/cone_kinds.h"
 #include "preprocess/map_kinds.h"
+#include "preprocess/mip_levels.h"
 #include "textures/storage_format.h"
 #include "textures/version.h"
 
@@ -87,6 +88,39 @@ std::string planProblem(const ReliefPlan& plan) {
     return "";
 }
 
+std::string optionWords(const ReliefPlan& plan) {
+    std::vector<std::string_view> maps;
+    for (const MapKind& kind : mapKinds())
+        if (plan.has(kind.name))
+            maps.push_back(kind.name);
+    std::string words = fmt::format("maps={} format={}", fmt::join(maps, ","),
+                                    textures::storageFormatName(plan.format));
+    if (const ConeKind* const cones = plan.has("cone") ? findConeKind(plan) : nullptr) {
+        words +=
+            fmt::format(" cone={} guarantee={} method={} encode={}", cones->cone, cones->guarantee,
+                        cones->method, textures::coneEncodingName(coneEncoding(plan)));
+        if (!cones->isOnSurface)
+            words += fmt::format(" sectors={}", plan.sectors);
+    }
+    if (plan.has("normal"))
+        words += fmt::format(" normal-scale={}", plan.normalScale);
+    return words + (plan.mips ? " mips" : "");
+}
+
+std::vector<textures::MapSet> bakeLevels(textures::DepthMap relief, const ReliefPlan& plan,
+                                         const BakeObserver& observer) {
+    std::vector<textures::MapSet> maps;
+    if (!plan.mips) {
+        maps.push_back(bakeRelief(std::move(relief), plan, observer));
+        return maps;
+    }
+    std::vector<textures::DepthMap> levels = reliefLevels(std::move(relief));
+    for (textures::DepthMap& level : levels)
+        maps.push_back(
+            bakeRelief(std::move(level), plan, maps.empty() ? observer : BakeObserver{}));
+    return maps;
+}
+
 textures::MapSet bakeRelief(textures::DepthMap relief, const ReliefPlan& plan,
                             const BakeObserver& observer) {
     if (const std::string problem = planProblem(plan); !problem.empty())
@@ -94,7 +128,9 @@ textures::MapSet bakeRelief(textures::DepthMap relief, const ReliefPlan& plan,
     textures::storeInPlace(relief.depth, "depth", plan.format);
     textures::MapSet maps;
     maps.wrap = relief.wrap;
+    maps.texelAspect = relief.texelAspect;
     maps.version = textures::kVersion;
+    maps.attributes["relievo:options"] = optionWords(plan);
     for (const MapKind& kind : mapKinds()) {
         if (kind.build == nullptr || !plan.has(kind.name))
             continue;

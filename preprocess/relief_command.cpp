@@ -27,6 +27,7 @@
 #include "textures/image_reader.h"
 #include "textures/input_error.h"
 #include "textures/map_file.h"
+#include "textures/version.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -78,6 +79,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.sectors = arguments.sectors;
     job.plan.encoding = textures::coneEncodingFromName(arguments.encoding);
     job.plan.format = formatFor(arguments);
+    job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
     job.input.isDepth = arguments.input == "depth";
     job.input.channel = arguments.channel;
@@ -85,6 +87,8 @@ Job jobOf(const ReliefArguments& arguments) {
     job.input.notice = commands::note;
     if (const std::string problem = planProblem(job.plan); !problem.empty())
         throw UsageError(problem);
+    if (job.plan.mips && textures::lowerExtension(arguments.output) == ".png")
+        throw UsageError("--mips: a .png file holds no MIP levels, expected .exr or .tif");
     std::error_code missing;
     if (std::filesystem::equivalent(arguments.height, arguments.output, missing))
         throw UsageError(fmt::format("-o {}: is the height image itself", arguments.output));
@@ -107,7 +111,7 @@ class Stage {
 };
 
 // Bakes with a progress bar and a line for each map.
-MapSet bake(textures::DepthMap relief, const ReliefPlan& plan) {
+std::vector<MapSet> bake(textures::DepthMap relief, const ReliefPlan& plan) {
     std::optional<Stage> stage;
     std::optional<commands::Progress> progress;
     std::size_t size = 0;
@@ -122,7 +126,7 @@ MapSet bake(textures::DepthMap relief, const ReliefPlan& plan) {
         progress.reset();
         stage->done(fmt::format("{} texels, {}", size, counts));
     };
-    return bakeRelief(std::move(relief), plan, observer);
+    return bakeLevels(std::move(relief), plan, observer);
 }
 
 // What storing the widths of cones costs; they are never wider than true.
@@ -153,6 +157,21 @@ void reportLosses(const MapSet& maps, const ReliefPlan& plan) {
             reportLoss(channel, plan, maps.encoding);
 }
 
+// Whether the output is there, whole, and made of the same depths by the same options and version.
+bool isUpToDate(const Job& job, const ReliefArguments& arguments, const std::string& source) {
+    if (!std::filesystem::exists(arguments.output))
+        return false;
+    try {
+        const MapSet old = textures::readMapDescription(arguments.output);
+        const auto options = old.attributes.find("relievo:options");
+        return old.source == source && old.wrap == job.input.wrap &&
+               old.version == textures::kVersion && options != old.attributes.end() &&
+               options->second == optionWords(job.plan);
+    } catch (const textures::InputError&) {
+        return false;  // something else, or damaged: it is replaced
+    }
+}
+
 // The libraries and the system would end a program that takes more than there is, at any time.
 void requireRoom(const Job& job, const ReliefArguments& arguments) {
     const textures::ImageReader header(arguments.height);
@@ -169,10 +188,13 @@ textures::HeightImage readInput(const Job& job, const ReliefArguments& arguments
     return image;
 }
 
-void writeOutput(const ReliefPlan& plan, const ReliefArguments& arguments, const MapSet& maps) {
+void writeOutput(const ReliefPlan& plan, const ReliefArguments& arguments,
+                 const std::vector<MapSet>& levels) {
     const Stage stage("write");
-    textures::writeMapFile(arguments.output, maps, plan.format);
-    stage.done(fmt::format("{}, {} channels {}, {} bytes", arguments.output, maps.channels.size(),
+    textures::writeMapFile(arguments.output, levels, plan.format);
+    const std::size_t channels = levels.front().channels.size();
+    const std::string count = levels.size() > 1 ? fmt::format("{} levels, ", levels.size()) : "";
+    stage.done(fmt::format("{}, {}{} channels {}, {} bytes", arguments.output, count, channels,
                            textures::storageFormatName(plan.format),
                            std::filesystem::file_size(arguments.output)));
 }
@@ -226,6 +248,11 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->check(CLI::IsMember({"ratio", "radius", "sqrt"}));
     add("--format", arguments.format, "float, half (.exr), u16, u8 (.png, .tif) [float, u16]")
         ->check(CLI::IsMember({"float", "half", "u16", "u8"}));
+    command->add_flag("--mips", arguments.mips,
+                      "MIP levels as well, each with maps of its own (.exr, .tif)");
+    command->add_flag(
+        "--force", arguments.force,
+        "Bake even if the output is up to date: the same depths, options and version");
     command
         ->add_option("--normal-scale", arguments.normalScale,
                      "Depth scale of the map normal, in tile widths")
@@ -259,10 +286,17 @@ void runReliefCommand(const ReliefArguments& arguments) {
 
     requireRoom(job, arguments);
     textures::HeightImage image = readInput(job, arguments);
-    MapSet maps = bake(std::move(image.depth), job.plan);
-    maps.source = image.source;
-    reportLosses(maps, job.plan);
-    writeOutput(job.plan, arguments, maps);
+    if (!arguments.force && isUpToDate(job, arguments, image.source)) {
+        commands::say(fmt::format(
+            "{} is up to date: the same source, options and version (--force bakes it again)",
+            arguments.output));
+        return;
+    }
+    std::vector<MapSet> levels = bake(std::move(image.depth), job.plan);
+    for (MapSet& level : levels)
+        level.source = image.source;
+    reportLosses(levels.front(), job.plan);
+    writeOutput(job.plan, arguments, levels);
 }
 
 }  // namespace relievo::preprocess

@@ -21,6 +21,7 @@ struct ReliefPlan {
     std::optional<textures::ConeEncoding> encoding;  ///< none: that of the kind of cones
     /// What the file will hold: the maps are those of the depths after this rounding.
     textures::StorageFormat format = textures::StorageFormat::Float;
+    bool mips = false;         ///< MIP levels down to 1×1, each with its own maps
     double normalScale = 0.1;  ///< depth scale of the map `normal`, in tile widths
 
     [[nodiscard]] bool has(std::string_view map) const {

@@ -89,7 +89,7 @@ AtomicFile::AtomicFile(std::filesystem::path target)
     slot_ = registerTemporaryName(path_.string());
     if (slot_ < 0)
         failToWrite(target_, "too many files are being written, or its path is too long");
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         const int error = errno;
         releaseTemporaryName(slot_);
@@ -112,18 +112,6 @@ void AtomicFile::writeAt(std::int64_t offset, std::span<const std::byte> bytes) 
             failToWrite(target_, errno);
         }
     }
-}
-
-std::size_t AtomicFile::readAt(std::int64_t offset, std::span<std::byte> bytes) const noexcept {
-    std::size_t count = 0;
-    while (count < bytes.size()) {
-        const ssize_t done = ::pread(descriptor_, bytes.data() + count, bytes.size() - count,
-                                     offset + static_cast<std::int64_t>(count));
-        if (done == 0 || (done < 0 && errno != EINTR))
-            break;
-        count += static_cast<std::size_t>(std::max<ssize_t>(done, 0));
-    }
-    return count;
 }
 
 void AtomicFile::commit() {

@@ -27,9 +27,6 @@ class AtomicFile {
     /// reason, such as a full disk.
     void writeAt(std::int64_t offset, std::span<const std::byte> bytes);
 
-    /// Reads back what was written at `offset`; returns how many of the bytes there were.
-    std::size_t readAt(std::int64_t offset, std::span<std::byte> bytes) const noexcept;
-
     /// Flushes the temporary file to the disk and renames it to the target. Throws InputError with
     /// the system's reason.
     void commit();

@@ -40,6 +40,62 @@ std::string readName(std::istream& stream) {
     return name;
 }
 
+struct TypeLength {
+    std::string_view type;
+    std::int64_t length;
+};
+
+/// Of these the library reads so many bytes, whatever length the file gives: the rest would be
+/// taken for the next attribute.
+constexpr std::array kLengths{
+    TypeLength{"box2f", 16},
+    TypeLength{"box2i", 16},
+    TypeLength{"chromaticities", 32},
+    TypeLength{"compression", 1},
+    TypeLength{"deepImageState", 1},
+    TypeLength{"double", 8},
+    TypeLength{"envmap", 1},
+    TypeLength{"float", 4},
+    TypeLength{"int", 4},
+    TypeLength{"keycode", 28},
+    TypeLength{"lineOrder", 1},
+    TypeLength{"m33d", 72},
+    TypeLength{"m33f", 36},
+    TypeLength{"m44d", 128},
+    TypeLength{"m44f", 64},
+    TypeLength{"rational", 8},
+    TypeLength{"tiledesc", 9},
+    TypeLength{"timecode", 8},
+    TypeLength{"v2d", 16},
+    TypeLength{"v2f", 8},
+    TypeLength{"v2i", 8},
+    TypeLength{"v3d", 24},
+    TypeLength{"v3f", 12},
+    TypeLength{"v3i", 12},
+};
+
+/// The length of a list of channels: names with 16 bytes each, up to an empty name.
+std::int64_t channelListLength(std::istream& stream) {
+    constexpr std::int64_t kChannelBytes = 16;
+    const std::int64_t start = stream.tellg();
+    while (stream && !readName(stream).empty())
+        stream.seekg(kChannelBytes, std::ios::cur);
+    return stream ? static_cast<std::int64_t>(stream.tellg()) - start : -1;
+}
+
+/// Whether the library will read as many bytes of the value as the file says that there are.
+bool hasTrueLength(std::istream& stream, const std::string& type, std::int64_t length) {
+    if (type == "chlist")
+        return channelListLength(stream) == length;
+    if (type == "preview") {
+        const auto [width, height] = readWords<2>(stream);
+        return length >= 8 && (length - 8) % 4 == 0 &&
+               std::uint64_t{width} * height == static_cast<std::uint64_t>((length - 8) / 4);
+    }
+    const auto known = std::ranges::find(kLengths, type, &TypeLength::type);
+    return known == kLengths.end() || known->length == length;
+}
+
 /// Looks at the value of an attribute that the library takes memory for.
 std::string valueProblem(std::istream& stream, const std::string& name, std::int64_t fileSize,
                          int largestSide) {
@@ -84,11 +140,12 @@ std::string exrHeaderProblem(const std::filesystem::path& file, int largestSide)
             continue;
         }
         isEmpty = false;
-        readName(stream);  // the type
+        const std::string type = readName(stream);
         const std::int64_t length = readWords<1>(stream)[0];
         const std::int64_t start = stream.tellg();
-        if (!stream || length > size - start)
+        if (!stream || length > size - start || !hasTrueLength(stream, type, length))
             return kTruncated;
+        stream.seekg(start);
         if (std::string problem = valueProblem(stream, name, size, largestSide); !problem.empty())
             return problem;
         stream.seekg(start + length);

@@ -14,6 +14,7 @@
 
 #include "textures/atomic_file.h"
 #include "textures/file_extension.h"
+#include "textures/image_reader.h"
 #include "textures/input_error.h"
 
 namespace relievo::textures {
@@ -81,15 +82,6 @@ class AtomicFileProxy : public OIIO::Filesystem::IOProxy {
         }
         size_ = std::max(size_, static_cast<std::size_t>(offset) + size);
         return size;
-    }
-    /// The TIFF library reads what it has written to link the pictures of a file.
-    std::size_t read(void* bytes, std::size_t size) override {
-        const std::size_t done = pread(bytes, size, m_pos);
-        m_pos += static_cast<std::int64_t>(done);
-        return done;
-    }
-    std::size_t pread(void* bytes, std::size_t size, std::int64_t offset) override {
-        return file_.readAt(offset, {static_cast<std::byte*>(bytes), size});
     }
     [[nodiscard]] std::size_t size() const override { return size_; }
     void rethrowFailure() const {
@@ -172,20 +164,35 @@ bool writeLevels(OIIO::ImageOutput& output, const std::string& name,
     return output.close();
 }
 
+/// Where no proxy sees a failure, a file that could not be finished lacks its end.
+void requireWhole(const std::filesystem::path& file, const std::filesystem::path& written) {
+    try {
+        ImageReader(written, kLargestMap).requireEnd();
+    } catch (const InputError&) {
+        throw InputError(
+            fmt::format("{}: cannot be written whole: is the disk full?", file.string()));
+    }
+}
+
 }  // namespace
 
 void writeImage(const std::filesystem::path& file, const ImageDescription& description,
                 std::span<const ImageLevel> levels) {
     assert(!levels.empty() && !levels.front().channels.empty());
     AtomicFile target(file);
-    const std::string name = file.string();
+    // OpenImageIO opens a TIFF file anew for each level, which a proxy cannot follow: by name.
+    const bool isByName = levels.size() > 1 && lowerExtension(file) != ".exr";
+    const std::string name = isByName ? target.path().string() : file.string();
     AtomicFileProxy proxy(name, target);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(name, &proxy);
+    const std::unique_ptr<OIIO::ImageOutput> output =
+        OIIO::ImageOutput::create(name, isByName ? nullptr : &proxy);
     const bool good = output && writeLevels(*output, name, description, levels);
     proxy.rethrowFailure();
     if (!good)
-        throw InputError(fmt::format("{}: cannot be encoded: {}", name,
+        throw InputError(fmt::format("{}: cannot be encoded: {}", file.string(),
                                      output ? output->geterror() : OIIO::geterror()));
+    if (isByName)
+        requireWhole(file, target.path());
     target.commit();
 }
 

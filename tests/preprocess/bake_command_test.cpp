@@ -73,7 +73,8 @@ void expectTrueCones(const MapSet& maps) {
 }
 
 TEST_F(Bake, ConesOfALarge16BitSampleEqualBruteForce) {
-    expectTrueCones(baked(sample("cobbles", "1024x1024"), "cobbles.exr", {"--encode", "ratio"}));
+    expectTrueCones(baked(sample("cobbles", "1024x1024"), "cobbles.exr",
+                          {"--encode", "ratio", "--guarantee", "texel"}));
 }
 
 TEST_F(Bake, ConesOfAScannedReliefEqualBruteForce) {
@@ -83,7 +84,7 @@ TEST_F(Bake, ConesOfAScannedReliefEqualBruteForce) {
     const std::filesystem::path planks = data / "relief" / "planks-height.png";
     if (!std::filesystem::exists(planks))
         GTEST_SKIP() << "skipped: no file " << planks;
-    expectTrueCones(baked(planks, "planks.exr", {"--encode", "ratio"}));
+    expectTrueCones(baked(planks, "planks.exr", {"--encode", "ratio", "--guarantee", "texel"}));
 }
 
 TEST_F(Bake, FileHoldsTheMapsOfTheDepthsItStores) {
@@ -94,7 +95,7 @@ TEST_F(Bake, FileHoldsTheMapsOfTheDepthsItStores) {
         const MapSet maps = baked(height, name, {"--format", format});
         const DepthMap relief = textures::depthMapOf(maps);
         EXPECT_EQ(maps.encoding, textures::ConeEncoding::Radius);
-        const Plane ratio = buildConservativeCones(relief, ConeGuarantee::Texel);
+        const Plane ratio = buildConservativeCones(relief, ConeGuarantee::Bilinear);
         const Derivatives derivatives = buildDerivatives(relief);
         const Plane stored = decodeCones(*maps.find("cone"), relief.depth, maps.encoding);
         for (std::size_t k = 0; k < ratio.texels.size(); ++k) {
@@ -153,10 +154,60 @@ TEST_F(Bake, StagesAreToldUnlessQuiet) {
     EXPECT_EQ(quiet.output + quiet.errors, "");
 }
 
+TEST_F(Bake, WhatIsUpToDateIsLeftAlone) {
+    const std::string height = sample("wave", "32x32");
+    const std::string out = folder.file("a.exr");
+    const std::vector<std::string> usual = {"relief", height, "-o", out};
+    const auto isBaked = [&](const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments = usual;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult result = bake(arguments);
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        const bool isLeft = result.output.find("is up to date") != std::string::npos;
+        EXPECT_NE(isLeft, result.output.find("write ") != std::string::npos) << result.output;
+        return !isLeft;
+    };
+    EXPECT_TRUE(isBaked());
+    EXPECT_FALSE(isBaked());
+    EXPECT_FALSE(isBaked({"--threads", "1"})) << "which changes nothing";
+    EXPECT_TRUE(isBaked({"--force"}));
+    EXPECT_TRUE(isBaked({"--wrap", "clamp"}));
+    EXPECT_TRUE(isBaked({"--wrap", "clamp", "--input", "depth"})) << "other depths";
+    EXPECT_TRUE(isBaked({"--wrap", "clamp", "--input", "depth", "--mips"}));
+    EXPECT_TRUE(isBaked());
+    const std::string whole = tests::readBytes(out);
+    std::filesystem::resize_file(out, whole.size() - 10);
+    EXPECT_TRUE(isBaked()) << "damaged";
+    EXPECT_EQ(tests::readBytes(out), whole);
+    EXPECT_FALSE(isBaked());
+}
+
+TEST_F(Bake, LevelsAreInTheFileAndAreTold) {
+    const std::string height = sample("blocks", "50x20");
+    for (const std::string name : {"a.exr", "a.tif"}) {
+        baked(height, name, {"--mips", "--encode", "ratio"});
+        const std::vector<MapSet> levels = textures::readMapLevels(folder.file(name));
+        ASSERT_EQ(levels.size(), 6u) << name;
+        for (const MapSet& level : levels) {
+            const Plane ratio =
+                buildConservativeCones(textures::depthMapOf(level), ConeGuarantee::Bilinear);
+            for (std::size_t k = 0; k < ratio.texels.size(); ++k)
+                EXPECT_LE(level.find("cone")->texels[k],
+                          std::min(ratio.texels[k], textures::kLargestHalf));
+        }
+        const auto info = nlohmann::json::parse(bake({"info", folder.file(name), "--json"}).output);
+        EXPECT_EQ(info["levels"].size(), 6u);
+        EXPECT_EQ(info["levels"][1], "25x10");
+    }
+    const ProcessResult png = bake({"relief", height, "-o", folder.file("a.png"), "--mips"});
+    EXPECT_EQ(png.exitStatus, 2);
+    EXPECT_THAT(png.errors, HasSubstr("expected .exr or .tif"));
+}
+
 TEST_F(Bake, WarnsWhenAPackedFileNarrowsCones) {
     const std::string height = sample("ridge", "64x64");
-    const ProcessResult result =
-        bake({"relief", height, "-o", folder.file("a.png"), "--encode", "ratio"});
+    const ProcessResult result = bake({"relief", height, "-o", folder.file("a.png"), "--guarantee",
+                                       "texel", "--encode", "ratio"});
     EXPECT_EQ(result.exitStatus, 0);
     EXPECT_THAT(result.errors, HasSubstr("note: "));
     EXPECT_THAT(result.errors, HasSubstr("wider than 1"));
@@ -172,7 +223,7 @@ TEST_F(Bake, InfoTellsMapFilesAndImages) {
     EXPECT_EQ(maps["format"], "float");
     EXPECT_EQ(maps["wrap"], "clamp");
     EXPECT_EQ(maps["encoding"], "radius");
-    EXPECT_EQ(maps["attributes"]["relievo:guarantee"], "texel");
+    EXPECT_EQ(maps["attributes"]["relievo:guarantee"], "bilinear");
     EXPECT_EQ(maps["channels"].size(), 4u);
     EXPECT_THAT(bake({"info", folder.file("a.exr")}).output, HasSubstr("relievo:guarantee"));
     const auto image = nlohmann::json::parse(bake({"info", height, "--json"}).output);

@@ -72,7 +72,7 @@ TEST(ReliefBaker, MapsNotAskedForAreNotThere) {
     const MapSet maps = bakeRelief(hills(5, 4), plan);
     EXPECT_EQ(namesOf(maps), (std::set<std::string>{"dx", "dy"}));
     EXPECT_EQ(maps.wrap, textures::WrapMode::Mirror);
-    EXPECT_TRUE(maps.attributes.empty());
+    EXPECT_EQ(maps.attributes.size(), 1u) << "the options";
 }
 
 TEST(ReliefBaker, MapsBelongToTheDepthsAsStored) {
@@ -82,6 +82,52 @@ TEST(ReliefBaker, MapsBelongToTheDepthsAsStored) {
     const DepthMap relief = hills(16, 16);
     EXPECT_EQ(bakeRelief(relief, plan).find("depth")->texels,
               textures::storedValues(relief.depth, "depth", StorageFormat::U8).texels);
+}
+
+TEST(ReliefBaker, LevelsAreReliefsOfTheirOwn) {
+    ReliefPlan plan;
+    plan.mips = true;
+    plan.encoding = textures::ConeEncoding::Ratio;
+    const std::vector<MapSet> levels = bakeLevels(hills(21, 10), plan);
+    ASSERT_EQ(levels.size(), 5u);
+    plan.mips = false;
+    for (const MapSet& level : levels) {
+        const MapSet alone = bakeRelief(textures::depthMapOf(level), plan);
+        EXPECT_EQ(namesOf(level), namesOf(alone));
+        for (const textures::Channel& channel : alone.channels)
+            EXPECT_EQ(level.find(channel.name)->texels, channel.plane.texels) << channel.name;
+    }
+    EXPECT_EQ(bakeLevels(hills(21, 10), plan).size(), 1u);
+}
+
+TEST(ReliefBaker, OptionWordsTellPlansApart) {
+    const ReliefPlan usual;
+    ReliefPlan same = usual;
+    std::swap(same.maps.front(), same.maps.back());
+    same.method = "exact";
+    same.normalScale = 0.7;
+    EXPECT_EQ(optionWords(same), optionWords(usual)) << "no normals, and the default method";
+    std::set<std::string> words{optionWords(usual)};
+    const auto expectNew = [&](auto change) {
+        ReliefPlan plan;
+        change(plan);
+        EXPECT_TRUE(words.insert(optionWords(plan)).second) << optionWords(plan);
+    };
+    expectNew([](ReliefPlan& plan) { plan.mips = true; });
+    expectNew([](ReliefPlan& plan) { plan.cone = "roof"; });
+    expectNew([](ReliefPlan& plan) {
+        plan.cone = "roof";
+        plan.sectors = 8;
+    });
+    expectNew([](ReliefPlan& plan) { plan.method = "levels"; });
+    expectNew([](ReliefPlan& plan) { plan.format = StorageFormat::Half; });
+    expectNew([](ReliefPlan& plan) { plan.encoding = textures::ConeEncoding::Ratio; });
+    expectNew([](ReliefPlan& plan) { plan.maps = {"depth"}; });
+    expectNew([](ReliefPlan& plan) { plan.maps = {"depth", "normal"}; });
+    expectNew([](ReliefPlan& plan) {
+        plan.maps = {"depth", "normal"};
+        plan.normalScale = 0.7;
+    });
 }
 
 TEST(ReliefBaker, ImpossiblePlansAreTold) {

@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
-#include <array>
 #include <csignal>
-#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -52,9 +50,6 @@ TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
     AtomicFile output(file("a.exr"));
     output.writeAt(7, bytesOf("second"));
     output.writeAt(0, bytesOf("first, "));
-    std::array<std::byte, 20> back{};
-    EXPECT_EQ(output.readAt(7, back), 6u) << "what there is";
-    EXPECT_EQ(std::memcmp(back.data(), "second", 6), 0);
     EXPECT_FALSE(std::filesystem::exists(file("a.exr")));
     EXPECT_EQ(output.path().parent_path(), folder()) << "a rename must not cross file systems";
     EXPECT_EQ(output.path().extension(), ".exr") << "libraries choose the format by it";
