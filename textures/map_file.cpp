@@ -326,7 +326,7 @@ void writeMapFile(const std::filesystem::path& file, const MapSet& maps, Storage
 }
 
 bool isMapFile(const std::filesystem::path& file) {
-    const TextAttributes attributes = attributesOf(ImageReader(file).info());
+    const TextAttributes attributes = attributesOf(ImageReader(file, kLargestMap).info());
     return std::any_of(attributes.begin(), attributes.end(), [](const auto& attribute) {
         return attribute.first.starts_with("relievo:");
     });
