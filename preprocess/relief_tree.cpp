@@ -1,5 +1,7 @@
 #include "preprocess/relief_tree.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,65 +98,71 @@ LowerPlane planeOfChildren(const ReliefQuad& quad, int level, int i, int j, int 
     return plane;
 }
 
-// The planes of all nodes of one level, from the level below.
-std::vector<LowerPlane> planesOfLevel(const ReliefTree& tree, int level, int columns, int rows) {
-    std::vector<LowerPlane> planes;
-    planes.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const std::size_t node = tree.index(level, i, j);
-            planes.push_back(
-                level == 1 ? planeOfTexels(tree.texels[node])
-                           : planeOfChildren(tree.quads[static_cast<std::size_t>(level)][node],
-                                             level, i, j, tree.width, tree.height));
-        }
-    return planes;
+int columnsOf(int level, int width) {
+    return (width + (1 << level) - 1) >> level;
 }
 
-// The quads of the nodes of one level ≥ 2: least depths and planes of their children.
-std::vector<ReliefQuad> quadsOfLevel(const Plane& childDepths,
-                                     const std::vector<LowerPlane>& childPlanes) {
-    const int columns = (childDepths.width + 1) / 2;
-    const int rows = (childDepths.height + 1) / 2;
-    std::vector<ReliefQuad> quads;
-    quads.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            ReliefQuad quad{};
-            quad.least = childrenOf(childDepths, i, j);
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (quad.least[k] == kOutside)
-                    continue;
-                const LowerPlane& plane = childPlanes[childDepths.index(
-                    2 * i + static_cast<int>(k % 2), 2 * j + static_cast<int>(k / 2))];
-                quad.base[k] = static_cast<float>(plane.base);
-                quad.slopeX[k] = static_cast<float>(plane.slopeX);
-                quad.slopeY[k] = static_cast<float>(plane.slopeY);
-            }
-            quads.push_back(quad);
-        }
-    return quads;
+// The quad of a node of level ≥ 2: least depths and planes of its children, from the level below.
+ReliefQuad quadOf(const ReliefTree& tree, int level, int i, int j) {
+    const int childLevel = level - 1;
+    ReliefQuad quad{};
+    quad.least.fill(kOutside);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int x = 2 * i + static_cast<int>(k % 2);
+        const int y = 2 * j + static_cast<int>(k / 2);
+        if (x >= columnsOf(childLevel, tree.width) || y >= columnsOf(childLevel, tree.height))
+            continue;
+        const std::size_t child = tree.index(childLevel, x, y);
+        const auto& children = tree.quads[static_cast<std::size_t>(childLevel)];
+        const LowerPlane plane = childLevel == 1 ? planeOfTexels(tree.texels[child])
+                                                 : planeOfChildren(children[child], childLevel, x,
+                                                                   y, tree.width, tree.height);
+        quad.least[k] =
+            std::ranges::min(childLevel == 1 ? tree.texels[child] : children[child].least);
+        quad.base[k] = static_cast<float>(plane.base);
+        quad.slopeX[k] = static_cast<float>(plane.slopeX);
+        quad.slopeY[k] = static_cast<float>(plane.slopeY);
+    }
+    return quad;
 }
 
 }  // namespace
 
-ReliefTree buildReliefTree(const DepthPyramid& pyramid) {
-    const Plane& depth = pyramid.levels.front();
+ReliefTree buildReliefTree(const Plane& depth) {
     ReliefTree tree;
     tree.width = depth.width;
     tree.height = depth.height;
-    for (int j = 0; j < (depth.height + 1) / 2; ++j)
-        for (int i = 0; i < (depth.width + 1) / 2; ++i)
-            tree.texels.push_back(childrenOf(depth, i, j));
-    tree.leastDepth = pyramid.levels.back().texels.front();
-    tree.quads.resize(2);
-    for (std::size_t level = 2; level < pyramid.levels.size(); ++level) {
-        const Plane& children = pyramid.levels[level - 1];
-        tree.quads.push_back(quadsOfLevel(
-            children,
-            planesOfLevel(tree, static_cast<int>(level) - 1, children.width, children.height)));
+    int levels = 2;
+    while (columnsOf(levels - 1, depth.width) > 1 || columnsOf(levels - 1, depth.height) > 1)
+        ++levels;
+    tree.quads.resize(static_cast<std::size_t>(levels));
+    for (int level = 1; level < levels; ++level) {
+        const std::size_t nodes = static_cast<std::size_t>(columnsOf(level, depth.width)) *
+                                  static_cast<std::size_t>(columnsOf(level, depth.height));
+        if (level == 1)
+            tree.texels.resize(nodes);
+        else
+            tree.quads[static_cast<std::size_t>(level)].resize(nodes);
     }
+    updateReliefTree(tree, depth, {0, 0, depth.width, depth.height});
     return tree;
+}
+
+void updateReliefTree(ReliefTree& tree, const Plane& depth, const TexelRectangle& changed) {
+    for (int level = 1; level <= tree.topLevel(); ++level) {
+        const int bottom = (changed.top + changed.height - 1) >> level;
+        const int right = (changed.left + changed.width - 1) >> level;
+        tbb::parallel_for((changed.top >> level), bottom + 1, [&](int j) {
+            for (int i = changed.left >> level; i <= right; ++i)
+                if (level == 1)
+                    tree.texels[tree.index(1, i, j)] = childrenOf(depth, i, j);
+                else
+                    tree.quads[static_cast<std::size_t>(level)][tree.index(level, i, j)] =
+                        quadOf(tree, level, i, j);
+        });
+    }
+    tree.leastDepth = std::ranges::min(tree.topLevel() == 1 ? tree.texels.front()
+                                                            : tree.quads.back().front().least);
 }
 
 }  // namespace relievo::preprocess

@@ -4,9 +4,17 @@
 #include <cstddef>
 #include <vector>
 
-#include "preprocess/depth_pyramid.h"
+#include "textures/plane.h"
 
 namespace relievo::preprocess {
+
+/// Some texels of a map, at least one.
+struct TexelRectangle {
+    int left;
+    int top;
+    int width;
+    int height;
+};
 
 /// Lower bounds on the depths of four squares of texels, the children of one node: child 0 is at
 /// the top left, 1 at the top right, 2 and 3 below them. One cache line.
@@ -45,7 +53,12 @@ struct ReliefTree {
     }
 };
 
-/// The tree of the map whose pyramid is given, in linear time and about 9.3 bytes a texel.
-ReliefTree buildReliefTree(const DepthPyramid& pyramid);
+/// The tree of a map of at least one texel, in linear time and about 9.3 bytes a texel.
+ReliefTree buildReliefTree(const textures::Plane& depth);
+
+/// Brings the tree of a map up to date after the depths of a rectangle inside the map changed: it
+/// is then the tree that buildReliefTree gives, in time linear in the rectangle.
+void updateReliefTree(ReliefTree& tree, const textures::Plane& depth,
+                      const TexelRectangle& changed);
 
 }  // namespace relievo::preprocess

@@ -111,7 +111,7 @@ std::vector<RoofConeLayer> buildRoofCones(const DepthMap& map, const RoofConeRul
     assert(rules.block >= 1);
     if (statistics != nullptr)
         *statistics = {};
-    const ReliefTree tree = buildReliefTree(buildDepthPyramid(map.depth));
+    const ReliefTree tree = buildReliefTree(map.depth);
     const double aspect = map.texelAspect;
     std::vector<RoofConeLayer> layers;
     for (int k = 0; k < rules.sectors; ++k) {

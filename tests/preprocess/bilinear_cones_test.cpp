@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
+#include "preprocess/bilinear_cones.h"
 #include "preprocess/conservative_cones.h"
 #include "tests/preprocess/cone_oracle.h"
 #include "textures/sample_reliefs.h"
@@ -119,6 +121,41 @@ TEST(BilinearCones, AreUnlimitedWhereNothingIsHigher) {
     const DepthMap flat{Plane(19, 5, 0.5f), WrapMode::Repeat};
     for (const float ratio : buildConservativeCones(flat, ConeGuarantee::Bilinear).texels)
         EXPECT_EQ(ratio, std::numeric_limits<float>::infinity());
+}
+
+// A stroke of a brush: a dent or a heap with noise on it.
+Plane stroke(const DepthMap& map, int left, int top, int size, float by, unsigned seed) {
+    std::mt19937 generator(seed);
+    Plane depths(size, size);
+    for (int j = 0; j < size; ++j)
+        for (int i = 0; i < size; ++i)
+            depths.at(i, j) = std::clamp(
+                map.depth.at(left + i, top + j) + by * static_cast<float>(generator() % 256) / 255,
+                0.0f, 1.0f);
+    return depths;
+}
+
+TEST(BilinearCones, AfterAnEditAreBitForBitThoseOfANewBuild) {
+    for (const WrapMode wrap : {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp})
+        for (const char* name : {"noise", "pillars", "wave"}) {
+            DepthMap map = textures::generateSampleRelief(name, 150, 130);
+            map.wrap = wrap;
+            BilinearCones cones(map);
+            for (const auto& [left, top, by] :
+                 {std::tuple{3, 100, -0.4f}, {140, 60, 0.3f}, {70, 1, -1.0f}, {70, 1, 1.0f}}) {
+                cones.edit(left, top, stroke(cones.map(), left, top, 9, by, 4));
+                const Plane anew = buildConservativeCones(cones.map(), ConeGuarantee::Bilinear);
+                ASSERT_EQ(cones.ratio().texels, anew.texels)
+                    << name << " " << wrapModeName(wrap) << " " << left << "," << top;
+            }
+        }
+}
+
+TEST(BilinearCones, AfterAnEditThatCannotReachFarAreMostlyKept) {
+    BilinearCones cones(textures::generateSampleRelief("noise", 256, 256));
+    const std::size_t built = cones.edit(100, 100, stroke(cones.map(), 100, 100, 8, 0.05f, 1));
+    EXPECT_LT(built, 256u * 256u / 5u);
+    EXPECT_GT(built, 8u * 8u);
 }
 
 // The wrong variant: cones between texel centres, taken for all of the square.

@@ -78,12 +78,12 @@ std::size_t countBelow(const ReliefTree& tree, const Plane& depth, double* large
 TEST(ReliefTree, BoundsEveryTexelFromBelow) {
     for (const auto& [width, height] : kSizes) {
         const Plane depth = noise(width, height);
-        const ReliefTree tree = buildReliefTree(buildDepthPyramid(depth));
+        const ReliefTree tree = buildReliefTree(depth);
         EXPECT_EQ(countBelow(tree, depth), 0u) << width << "x" << height;
     }
     for (const textures::SampleRelief& sample : textures::sampleReliefs()) {
         const Plane depth = textures::generateSampleRelief(sample.name, 61, 47).depth;
-        EXPECT_EQ(countBelow(buildReliefTree(buildDepthPyramid(depth)), depth), 0u) << sample.name;
+        EXPECT_EQ(countBelow(buildReliefTree(depth), depth), 0u) << sample.name;
     }
 }
 
@@ -93,13 +93,13 @@ TEST(ReliefTree, IsTightOnARamp) {
         for (int i = 0; i < 64; ++i)
             ramp.at(i, j) = static_cast<float>(i + 2 * j) / 128.0f;
     double slack = 0.0;
-    EXPECT_EQ(countBelow(buildReliefTree(buildDepthPyramid(ramp)), ramp, &slack), 0u);
+    EXPECT_EQ(countBelow(buildReliefTree(ramp), ramp, &slack), 0u);
     EXPECT_EQ(slack, 0.0);
 }
 
 TEST(ReliefTree, IsCaughtWhenAPlaneIsTooHigh) {
     const Plane depth = noise(31, 7);
-    ReliefTree tree = buildReliefTree(buildDepthPyramid(depth));
+    ReliefTree tree = buildReliefTree(depth);
     tree.quads[2][0].base[0] += 0.01f;
     tree.quads[3][0].slopeX[0] += 0.1f;
     EXPECT_GT(countBelow(tree, depth), 0u);

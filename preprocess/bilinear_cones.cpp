@@ -1,0 +1,253 @@
+#include "preprocess/bilinear_cones.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "preprocess/bilinear_slopes.h"
+#include "preprocess/block_loop.h"
+#include "preprocess/round_down.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::DepthMap;
+using textures::Plane;
+
+// Samples in this window around a corner of a texel's square belong, with all cells beside them, to
+// the near chords of the square.
+constexpr float kCornerWindow = BilinearSlopes::kReach - 1.75f;
+// An edited sample changes the near chords of the texels this far from it: their reach, and a texel
+// for the patches on both sides.
+constexpr int kNearInfluence = BilinearSlopes::kReach + 2;
+// Far slopes are rounded up by 1/64 at most, 1/128 in the mean.
+constexpr int kFarBits = 6;
+// Slopes are products and quotients of a handful of floats.
+constexpr double kSlopeRounding = 3e-7;
+// Depths between samples are rounded to floats of a depth up to 1: so much slope may be lost over
+// an eighth of a texel.
+constexpr double kDepthRounding = 1.5e-6;
+
+// κ of bilinear_slopes.h for squares of apexes and cells of samples, of one texel each.
+float cornerCorrection(double aspect) {
+    return static_cast<float>(0.5 * (1.0 + aspect * aspect));
+}
+
+SlopeSearchRules farRules(double aspect) {
+    return {.window = kCornerWindow, .correction = cornerCorrection(aspect), .bits = kFarBits};
+}
+
+// As the search rounds slopes.
+float roundedUp(float slope) {
+    constexpr std::uint32_t kRest = (1u << (23 - kFarBits)) - 1u;
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(slope) + kRest) & ~kRest);
+}
+
+struct NearState {
+    BilinearSlopes near;
+    BlockValues slopes;
+    explicit NearState(double aspect) : near(aspect) {}
+};
+
+struct FarState {
+    BilinearSlopes near;
+    SlopeSearch search;
+    ApexBlock apexes;
+    BlockValues slopes;
+    FarState(const ReliefTree& tree, const DepthMap& map)
+        : near(map.texelAspect),
+          search(tree, map.wrap, map.texelAspect, farRules(map.texelAspect)) {}
+};
+
+// The distance of `position` from the places first…last of an axis, and from their copies.
+float axisGap(float position, int first, int last, int size, textures::WrapMode wrap) {
+    const auto gapTo = [&](int copy) {
+        return std::max({static_cast<float>(first + copy) - position,
+                         position - static_cast<float>(last + copy), 0.0f});
+    };
+    const float gap = gapTo(0);
+    return wrap == textures::WrapMode::Repeat ? std::min({gap, gapTo(-size), gapTo(size)}) : gap;
+}
+
+// Marks on a grid.
+struct MarkGrid {
+    int width;
+    std::vector<std::uint8_t> marks;
+    MarkGrid(int columns, int rows, bool mark)
+        : width(columns),
+          marks(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), mark ? 1 : 0) {}
+    [[nodiscard]] std::size_t index(int i, int j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(i);
+    }
+    [[nodiscard]] bool at(int i, int j) const { return marks[index(i, j)] != 0; }
+    void mark(int i, int j) { marks[index(i, j)] = 1; }
+    [[nodiscard]] bool anyIn(const BlockPlace& place) const {
+        bool any = false;
+        forTexels(place, [&](int i, int j, std::size_t) { any = any || at(i, j); });
+        return any;
+    }
+};
+
+}  // namespace
+
+// What is to be built.
+struct BilinearCones::Marks {
+    MarkGrid texels;
+    MarkGrid corners;
+    Marks(int width, int height, bool mark)
+        : texels(width, height, mark), corners(width + 1, height + 1, mark) {}
+};
+
+BilinearCones::BilinearCones(DepthMap map, const std::function<void(std::size_t)>& advance,
+                             SlopeSearchStatistics* statistics)
+    : map_(std::move(map)),
+      tree_(buildReliefTree(map_.depth)),
+      coarse_(map_.width(), map_.height()),
+      cornerDepth_(map_.width() + 1, map_.height() + 1),
+      corner_(map_.width() + 1, map_.height() + 1),
+      ratio_(map_.width(), map_.height()) {
+    build(Marks(map_.width(), map_.height(), true), advance, statistics);
+}
+
+void BilinearCones::build(const Marks& marks, const std::function<void(std::size_t)>& advance,
+                          SlopeSearchStatistics* statistics) {
+    findCoarse(marks);
+    findCorners(marks, statistics);
+    refine(marks, advance);
+}
+
+void BilinearCones::findCoarse(const Marks& marks) {
+    tbb::enumerable_thread_specific<NearState> states([&] { return NearState(map_.texelAspect); });
+    forAllBlocks(
+        map_.width(), map_.height(), states, [&](NearState& state, const BlockPlace& place) {
+            if (!marks.texels.anyIn(place))
+                return;
+            state.near.begin(map_, place.left, place.top);
+            state.near.findCoarse(state.slopes);
+            forTexels(place,
+                      [&](int i, int j, std::size_t k) { coarse_.at(i, j) = state.slopes[k]; });
+        });
+}
+
+// The least slope known in the four squares around a corner.
+float BilinearCones::knownAround(int i, int j) const {
+    float known = std::numeric_limits<float>::infinity();
+    for (const int y : {j - 1, j})
+        for (const int x : {i - 1, i})
+            known = std::min(known, coarse_.at(textures::wrapIndex(x, map_.width(), map_.wrap),
+                                               textures::wrapIndex(y, map_.height(), map_.wrap)));
+    return known;
+}
+
+void BilinearCones::findCorners(const Marks& marks, SlopeSearchStatistics* statistics) {
+    tbb::enumerable_thread_specific<FarState> states([&] { return FarState(tree_, map_); });
+    forAllBlocks(corner_.width, corner_.height, states,
+                 [&](FarState& state, const BlockPlace& place) {
+                     if (!marks.corners.anyIn(place))
+                         return;
+                     state.near.begin(map_, place.left, place.top);
+                     state.near.findCornerDepths(state.apexes.depth);
+                     state.apexes.left = static_cast<float>(place.left) - 0.5f;
+                     state.apexes.top = static_cast<float>(place.top) - 0.5f;
+                     state.apexes.width = place.width;
+                     state.apexes.height = place.height;
+                     forTexels(place, [&](int i, int j, std::size_t k) {
+                         state.apexes.known[k] = knownAround(i, j);
+                         cornerDepth_.at(i, j) = state.apexes.depth[k];
+                         // Nothing rises from depth 0: no search where there is no need.
+                         if (!marks.corners.at(i, j))
+                             state.apexes.depth[k] = 0.0f;
+                     });
+                     findSlopes(state.search, state.apexes, state.slopes);
+                     forTexels(place, [&](int i, int j, std::size_t k) {
+                         if (marks.corners.at(i, j))
+                             corner_.at(i, j) = state.slopes[k];
+                     });
+                 });
+    collect(states, statistics);
+}
+
+void BilinearCones::refine(const Marks& marks, const std::function<void(std::size_t)>& advance) {
+    tbb::enumerable_thread_specific<NearState> states([&] { return NearState(map_.texelAspect); });
+    forAllBlocks(map_.width(), map_.height(), states,
+                 [&](NearState& state, const BlockPlace& place) {
+                     if (!marks.texels.anyIn(place))
+                         return;
+                     state.near.begin(map_, place.left, place.top);
+                     forTexels(place, [&](int i, int j, std::size_t k) {
+                         state.slopes[k] =
+                             std::max({coarse_.at(i, j), corner_.at(i, j), corner_.at(i + 1, j),
+                                       corner_.at(i, j + 1), corner_.at(i + 1, j + 1)});
+                     });
+                     state.near.refine(state.slopes);
+                     forTexels(place, [&](int i, int j, std::size_t k) {
+                         const double known = state.slopes[k];
+                         const double safe =
+                             known > 0.0 ? known * (1.0 + kSlopeRounding) + kDepthRounding : 0.0;
+                         ratio_.at(i, j) = ratioOfSlope(safe, map_.width());
+                     });
+                     if (advance)
+                         advance(place.texels());
+                 });
+}
+
+// Marks the corners, and the squares around them, whose slopes the samples of the rectangle may
+// set, or may have set: those that no chord there, to the least depth it has or had, can be as
+// steep as.
+void BilinearCones::markInfluence(const TexelRectangle& rectangle, float leastDepth,
+                                  Marks& marks) const {
+    const int right = rectangle.left + rectangle.width - 1;
+    const int bottom = rectangle.top + rectangle.height - 1;
+    const auto aspect = static_cast<float>(map_.texelAspect);
+    const float correction = cornerCorrection(map_.texelAspect);
+    std::vector<float> across(static_cast<std::size_t>(corner_.width));
+    for (int i = 0; i < corner_.width; ++i)
+        across[static_cast<std::size_t>(i)] =
+            axisGap(static_cast<float>(i) - 0.5f, rectangle.left, right, map_.width(), map_.wrap);
+    tbb::parallel_for(0, corner_.height, [&](int j) {
+        const float gap =
+            axisGap(static_cast<float>(j) - 0.5f, rectangle.top, bottom, map_.height(), map_.wrap);
+        for (int i = 0; i < corner_.width; ++i) {
+            const float column = across[static_cast<std::size_t>(i)];
+            const bool isNear = std::max(column, gap) <= static_cast<float>(kNearInfluence);
+            const float square = column * column + gap * gap * aspect * aspect - correction;
+            const float difference = cornerDepth_.at(i, j) - leastDepth;
+            const bool reaches =
+                !isNear && difference > 0.0f &&
+                roundedUp(difference / std::sqrt(square) * (1.0f + 2e-6f)) >= corner_.at(i, j);
+            if (isNear || reaches)
+                marks.corners.mark(i, j);
+        }
+    });
+    for (int j = 0; j < map_.height(); ++j)
+        for (int i = 0; i < map_.width(); ++i)
+            if (marks.corners.at(i, j) || marks.corners.at(i + 1, j) ||
+                marks.corners.at(i, j + 1) || marks.corners.at(i + 1, j + 1))
+                marks.texels.mark(i, j);
+}
+
+std::size_t BilinearCones::edit(int left, int top, const Plane& depths) {
+    const TexelRectangle rectangle{left, top, depths.width, depths.height};
+    assert(left >= 0 && top >= 0 && left + depths.width <= map_.width() &&
+           top + depths.height <= map_.height());
+    float least = std::numeric_limits<float>::infinity();
+    for (int j = 0; j < depths.height; ++j)
+        for (int i = 0; i < depths.width; ++i) {
+            float& depth = map_.depth.at(left + i, top + j);
+            least = std::min({least, depth, depths.at(i, j)});
+            depth = depths.at(i, j);
+        }
+    updateReliefTree(tree_, map_.depth, rectangle);
+    Marks marks(map_.width(), map_.height(), false);
+    markInfluence(rectangle, least, marks);
+    build(marks, {}, nullptr);
+    return static_cast<std::size_t>(std::ranges::count(marks.texels.marks, std::uint8_t{1}));
+}
+
+}  // namespace relievo::preprocess
