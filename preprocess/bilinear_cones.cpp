@@ -48,18 +48,13 @@ float roundedUp(float slope) {
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(slope) + kRest) & ~kRest);
 }
 
-struct NearState {
-    BilinearSlopes near;
-    BlockValues slopes;
-    explicit NearState(double aspect) : near(aspect) {}
-};
-
-struct FarState {
+// What a thread works with.
+struct Worker {
     BilinearSlopes near;
     SlopeSearch search;
     ApexBlock apexes;
     BlockValues slopes;
-    FarState(const ReliefTree& tree, const DepthMap& map)
+    Worker(const ReliefTree& tree, const DepthMap& map)
         : near(map.texelAspect),
           search(tree, map.wrap, map.texelAspect, farRules(map.texelAspect)) {}
 };
@@ -104,6 +99,12 @@ struct BilinearCones::Marks {
         : texels(width, height, mark), corners(width + 1, height + 1, mark) {}
 };
 
+struct BilinearCones::Workers {
+    tbb::enumerable_thread_specific<Worker> ofThreads;
+};
+
+BilinearCones::~BilinearCones() = default;
+
 BilinearCones::BilinearCones(DepthMap map, const std::function<void(std::size_t)>& advance,
                              SlopeSearchStatistics* statistics)
     : map_(std::move(map)),
@@ -111,28 +112,30 @@ BilinearCones::BilinearCones(DepthMap map, const std::function<void(std::size_t)
       coarse_(map_.width(), map_.height()),
       cornerDepth_(map_.width() + 1, map_.height() + 1),
       corner_(map_.width() + 1, map_.height() + 1),
-      ratio_(map_.width(), map_.height()) {
-    build(Marks(map_.width(), map_.height(), true), advance, statistics);
+      ratio_(map_.width(), map_.height()),
+      workers_(new Workers{
+          tbb::enumerable_thread_specific<Worker>([this] { return Worker(tree_, map_); })}) {
+    build(Marks(map_.width(), map_.height(), true), advance);
+    collect(workers_->ofThreads, statistics);
 }
 
-void BilinearCones::build(const Marks& marks, const std::function<void(std::size_t)>& advance,
-                          SlopeSearchStatistics* statistics) {
+void BilinearCones::build(const Marks& marks, const std::function<void(std::size_t)>& advance) {
     findCoarse(marks);
-    findCorners(marks, statistics);
+    findCorners(marks);
     refine(marks, advance);
 }
 
 void BilinearCones::findCoarse(const Marks& marks) {
-    tbb::enumerable_thread_specific<NearState> states([&] { return NearState(map_.texelAspect); });
-    forAllBlocks(
-        map_.width(), map_.height(), states, [&](NearState& state, const BlockPlace& place) {
-            if (!marks.texels.anyIn(place))
-                return;
-            state.near.begin(map_, place.left, place.top);
-            state.near.findCoarse(state.slopes);
-            forTexels(place,
-                      [&](int i, int j, std::size_t k) { coarse_.at(i, j) = state.slopes[k]; });
-        });
+    forAllBlocks(map_.width(), map_.height(), workers_->ofThreads,
+                 [&](Worker& state, const BlockPlace& place) {
+                     if (!marks.texels.anyIn(place))
+                         return;
+                     state.near.begin(map_, place.left, place.top);
+                     state.near.findCoarse(state.slopes);
+                     forTexels(place, [&](int i, int j, std::size_t k) {
+                         coarse_.at(i, j) = state.slopes[k];
+                     });
+                 });
 }
 
 // The least slope known in the four squares around a corner.
@@ -145,10 +148,9 @@ float BilinearCones::knownAround(int i, int j) const {
     return known;
 }
 
-void BilinearCones::findCorners(const Marks& marks, SlopeSearchStatistics* statistics) {
-    tbb::enumerable_thread_specific<FarState> states([&] { return FarState(tree_, map_); });
-    forAllBlocks(corner_.width, corner_.height, states,
-                 [&](FarState& state, const BlockPlace& place) {
+void BilinearCones::findCorners(const Marks& marks) {
+    forAllBlocks(corner_.width, corner_.height, workers_->ofThreads,
+                 [&](Worker& state, const BlockPlace& place) {
                      if (!marks.corners.anyIn(place))
                          return;
                      state.near.begin(map_, place.left, place.top);
@@ -170,13 +172,11 @@ void BilinearCones::findCorners(const Marks& marks, SlopeSearchStatistics* stati
                              corner_.at(i, j) = state.slopes[k];
                      });
                  });
-    collect(states, statistics);
 }
 
 void BilinearCones::refine(const Marks& marks, const std::function<void(std::size_t)>& advance) {
-    tbb::enumerable_thread_specific<NearState> states([&] { return NearState(map_.texelAspect); });
-    forAllBlocks(map_.width(), map_.height(), states,
-                 [&](NearState& state, const BlockPlace& place) {
+    forAllBlocks(map_.width(), map_.height(), workers_->ofThreads,
+                 [&](Worker& state, const BlockPlace& place) {
                      if (!marks.texels.anyIn(place))
                          return;
                      state.near.begin(map_, place.left, place.top);
@@ -240,13 +240,17 @@ std::size_t BilinearCones::edit(int left, int top, const Plane& depths) {
     for (int j = 0; j < depths.height; ++j)
         for (int i = 0; i < depths.width; ++i) {
             float& depth = map_.depth.at(left + i, top + j);
+            if (depth == depths.at(i, j))
+                continue;
             least = std::min({least, depth, depths.at(i, j)});
             depth = depths.at(i, j);
         }
+    if (std::isinf(least))
+        return 0;  // nothing changed
     updateReliefTree(tree_, map_.depth, rectangle);
     Marks marks(map_.width(), map_.height(), false);
     markInfluence(rectangle, least, marks);
-    build(marks, {}, nullptr);
+    build(marks, {});
     return static_cast<std::size_t>(std::ranges::count(marks.texels.marks, std::uint8_t{1}));
 }
 

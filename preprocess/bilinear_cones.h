@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "preprocess/relief_tree.h"
@@ -25,6 +26,9 @@ class BilinearCones {
     explicit BilinearCones(textures::DepthMap map,
                            const std::function<void(std::size_t)>& advance = {},
                            SlopeSearchStatistics* statistics = nullptr);
+    ~BilinearCones();
+    BilinearCones(const BilinearCones&) = delete;
+    BilinearCones& operator=(const BilinearCones&) = delete;
 
     [[nodiscard]] const textures::DepthMap& map() const noexcept { return map_; }
     /// Tile widths per unit of depth; +infinity where nothing is higher.
@@ -38,10 +42,10 @@ class BilinearCones {
 
   private:
     struct Marks;
-    void build(const Marks& marks, const std::function<void(std::size_t)>& advance,
-               SlopeSearchStatistics* statistics);
+    struct Workers;
+    void build(const Marks& marks, const std::function<void(std::size_t)>& advance);
     void findCoarse(const Marks& marks);
-    void findCorners(const Marks& marks, SlopeSearchStatistics* statistics);
+    void findCorners(const Marks& marks);
     void refine(const Marks& marks, const std::function<void(std::size_t)>& advance);
     [[nodiscard]] float knownAround(int i, int j) const;
     void markInfluence(const TexelRectangle& rectangle, float leastDepth, Marks& marks) const;
@@ -52,6 +56,7 @@ class BilinearCones {
     textures::Plane cornerDepth_;  // (i,j): the corner at (i−½, j−½)
     textures::Plane corner_;       // slopes of the second pass
     textures::Plane ratio_;
+    std::unique_ptr<Workers> workers_;  // kept: setting them up takes longer than a small edit
 };
 
 }  // namespace relievo::preprocess

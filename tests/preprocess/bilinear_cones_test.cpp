@@ -156,6 +156,7 @@ TEST(BilinearCones, AfterAnEditThatCannotReachFarAreMostlyKept) {
     const std::size_t built = cones.edit(100, 100, stroke(cones.map(), 100, 100, 8, 0.05f, 1));
     EXPECT_LT(built, 256u * 256u / 5u);
     EXPECT_GT(built, 8u * 8u);
+    EXPECT_EQ(cones.edit(20, 20, stroke(cones.map(), 20, 20, 8, 0.0f, 1)), 0u);
 }
 
 // The wrong variant: cones between texel centres, taken for all of the square.
