@@ -7,6 +7,7 @@
 
 #include "preprocess/cone_kinds.h"
 #include "preprocess/derivatives.h"
+#include "preprocess/distance_volume.h"
 #include "preprocess/normals.h"
 
 namespace relievo::preprocess {
@@ -42,6 +43,31 @@ double coneBytes(const ReliefPlan& plan) {
     return kind != nullptr ? kind->workingBytes : 0.0;
 }
 
+std::vector<std::string> numbered(std::string_view channel, int count) {
+    std::vector<std::string> names;
+    for (int k = 0; k < count; ++k)
+        names.push_back(fmt::format("{}{}", channel, k));
+    return names;
+}
+
+void addNumbered(std::string_view channel, std::vector<textures::Plane> planes, MapSet& maps) {
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        maps.channels.push_back({fmt::format("{}{}", channel, k), std::move(planes[k])});
+}
+
+std::vector<std::string> volumeChannels(const ReliefPlan& plan) {
+    return numbered("volume", plan.slices);
+}
+
+std::string buildVolume(const MapRequest& request, MapSet& maps) {
+    const ReliefPlan& plan = request.plan;
+    addNumbered("volume",
+                buildDistanceVolume(request.relief, plan.slices, plan.volumeScale, request.advance),
+                maps);
+    maps.attributes["relievo:volume-scale"] = fmt::format("{}", plan.volumeScale);
+    return fmt::format("{} slices at depth scale {}", plan.slices, plan.volumeScale);
+}
+
 std::vector<std::string> normalChannels(const ReliefPlan&) {
     return {"nx", "ny", "nz"};
 }
@@ -69,6 +95,8 @@ std::string buildDerivativeMap(const MapRequest& request, MapSet& maps) {
 
 constexpr MapKind kKinds[] = {
     {"cone", "cones of the kind that --cone says", coneChannels, buildCones, coneBytes},
+    {"volume", "volume0, volume1 ...: distances in --slices layers at --volume-scale",
+     volumeChannels, buildVolume, bytes<16>},
     {"normal", "nx, ny, nz: unit normals at --normal-scale", normalChannels, buildNormalMap,
      bytes<8>},
     {"derivative", "dx, dy: slopes", derivativeChannels, buildDerivativeMap, bytes<0>},

@@ -85,6 +85,10 @@ std::string planProblem(const ReliefPlan& plan) {
             return problem;
     if (!(plan.normalScale >= 0.0) || !std::isfinite(plan.normalScale))
         return "--normal-scale: expected a number from 0";
+    if (plan.slices < 1 || plan.slices > kMostSlices)
+        return fmt::format("--slices: expected 1 to {}", kMostSlices);
+    if (!(plan.volumeScale > 0.0) || !std::isfinite(plan.volumeScale))
+        return "--volume-scale: expected a number above 0";
     return "";
 }
 
@@ -104,6 +108,8 @@ std::string optionWords(const ReliefPlan& plan) {
     }
     if (plan.has("normal"))
         words += fmt::format(" normal-scale={}", plan.normalScale);
+    if (plan.has("volume"))
+        words += fmt::format(" slices={} volume-scale={}", plan.slices, plan.volumeScale);
     return words + (plan.mips ? " mips" : "");
 }
 

@@ -38,6 +38,7 @@ using textures::Plane;
 using textures::StorageFormat;
 
 constexpr int kMostThreads = 1024;
+constexpr double kLeastScale = 1e-6;
 constexpr double kLargestScale = 1e6;
 
 // What to do, checked: the arguments in the types of the library.
@@ -81,6 +82,8 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.format = formatFor(arguments);
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
+    job.plan.slices = arguments.slices;
+    job.plan.volumeScale = arguments.volumeScale;
     job.input.isDepth = arguments.input == "depth";
     job.input.channel = arguments.channel;
     job.input.wrap = *textures::wrapModeFromName(arguments.wrap);
@@ -152,8 +155,7 @@ void reportLoss(const textures::Channel& channel, const ReliefPlan& plan,
 
 void reportLosses(const MapSet& maps, const ReliefPlan& plan) {
     for (const textures::Channel& channel : maps.channels)
-        if (const textures::ChannelRule rule = textures::channelRule(channel.name);
-            rule.rounding == textures::Rounding::Down && !rule.isUnitRange)
+        if (textures::channelRule(channel.name).isCone)
             reportLoss(channel, plan, maps.encoding);
 }
 
@@ -257,6 +259,14 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->add_option("--normal-scale", arguments.normalScale,
                      "Depth scale of the map normal, in tile widths")
         ->check(CLI::Range(0.0, kLargestScale))
+        ->capture_default_str();
+    command->add_option("--slices", arguments.slices, "Layers of the map volume")
+        ->check(CLI::Range(1, kMostSlices))
+        ->capture_default_str();
+    command
+        ->add_option("--volume-scale", arguments.volumeScale,
+                     "Depth scale of the map volume, in tile widths")
+        ->check(CLI::Range(kLeastScale, kLargestScale))
         ->capture_default_str();
     command
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")

@@ -23,6 +23,8 @@ struct ReliefArguments {
     std::string encoding;  ///< empty: that of the kind of cones
     std::string format;
     double normalScale = 0.1;
+    int slices = 16;
+    double volumeScale = 0.1;
     bool mips = false;
     bool force = false;
     int threads = 0;  ///< 0: all cores

@@ -11,6 +11,9 @@
 
 namespace relievo::preprocess {
 
+/// The most layers that the map `volume` may have.
+inline constexpr int kMostSlices = 256;
+
 /// Which maps to bake of a relief, and how, in the words of `relievo-bake relief`.
 struct ReliefPlan {
     std::vector<std::string> maps = {"depth", "derivative", "cone"};  ///< names of mapKinds()
@@ -23,6 +26,8 @@ struct ReliefPlan {
     textures::StorageFormat format = textures::StorageFormat::Float;
     bool mips = false;         ///< MIP levels down to 1×1, each with its own maps
     double normalScale = 0.1;  ///< depth scale of the map `normal`, in tile widths
+    int slices = 16;           ///< layers of the map `volume`
+    double volumeScale = 0.1;  ///< depth scale of the map `volume`, in tile widths
 
     [[nodiscard]] bool has(std::string_view map) const {
         return std::find(maps.begin(), maps.end(), map) != maps.end();

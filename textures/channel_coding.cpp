@@ -100,8 +100,7 @@ double maximumCode(StorageFormat format) {
 }
 
 bool isStoredAsRoot(const ChannelRule& rule, StorageFormat format, ConeEncoding encoding) {
-    return encoding == ConeEncoding::Sqrt && isPackedFormat(format) &&
-           rule.rounding == Rounding::Down && !rule.isUnitRange;
+    return encoding == ConeEncoding::Sqrt && isPackedFormat(format) && rule.isCone;
 }
 
 ChannelCoding channelCoding(std::span<const Plane* const> levels, std::string_view channel,

@@ -14,13 +14,15 @@ struct NamedRule {
 constexpr ChannelRule kUnit{Rounding::Nearest, false, true};
 constexpr ChannelRule kSigned{Rounding::Nearest, true, false};
 constexpr ChannelRule kSafe{Rounding::Down, false, false};
+constexpr ChannelRule kCone{Rounding::Down, false, false, true};
 constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
 
 /// Roof cones may have a layer per sector: `roof0`, `ratio0` … follow the rule of `roof`, `ratio`.
 constexpr std::array kRules{
-    NamedRule{"depth", kUnit}, NamedRule{"dx", kSigned},  NamedRule{"dy", kSigned},
-    NamedRule{"nx", kSigned},  NamedRule{"ny", kSigned},  NamedRule{"nz", kSigned},
-    NamedRule{"cone", kSafe},  NamedRule{"ratio", kSafe}, NamedRule{"roof", kSafeUnit},
+    NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},  NamedRule{"dy", kSigned},
+    NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},  NamedRule{"nz", kSigned},
+    NamedRule{"cone", kCone},   NamedRule{"ratio", kCone}, NamedRule{"roof", kSafeUnit},
+    NamedRule{"volume", kSafe},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ struct ChannelRule {
     Rounding rounding = Rounding::Nearest;
     bool isSigned = false;     ///< has values of both signs, and 0 must come back as exactly 0
     bool isUnitRange = false;  ///< lies in [0,1] by definition
+    bool isCone = false;       ///< is the width of a cone, in a ConeEncoding
 };
 
 /// The rule of the channel called `name`; names that the specification does not list are rounded to
