@@ -12,6 +12,7 @@
 #include "preprocess/cones_by_squares.h"
 #include "preprocess/normals.h"
 #include "preprocess/quick_cones.h"
+#include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
 #include "preprocess/sequential_distances.h"
@@ -41,11 +42,11 @@ BakeOutput buildSequentialDistances(const BakeInput& input) {
     return output;
 }
 
-template <preprocess::ConeGuarantee kGuarantee>
+template <auto kBuild, preprocess::ConeGuarantee kGuarantee>
 BakeOutput buildExactCones(const BakeInput& input) {
     BakeOutput output;
     output.search.emplace();
-    output.ratios = preprocess::buildConservativeCones(input.map, kGuarantee, {}, &*output.search);
+    output.ratios = kBuild(input.map, kGuarantee, {}, &*output.search);
     return output;
 }
 
@@ -81,15 +82,22 @@ constexpr std::array kBuilders{
     BakeBuilder{"distances", "exact distances to the upper half", 0, buildDistances},
     BakeBuilder{"distances-4sed", "the same by 4SED", 0, buildSequentialDistances},
     BakeBuilder{"distances-opencv", "the same by OpenCV, never repeated", 0, kOpenCvDistances},
-    BakeBuilder{"cones-bilinear", "conservative cones, safe on the bilinear surface", 0,
-                buildExactCones<preprocess::ConeGuarantee::Bilinear>},
-    BakeBuilder{"cones-texel", "conservative cones between texel centres", 0,
-                buildExactCones<preprocess::ConeGuarantee::Texel>},
+    BakeBuilder{
+        "cones-bilinear", "conservative cones, safe on the bilinear surface", 0,
+        buildExactCones<preprocess::buildConservativeCones, preprocess::ConeGuarantee::Bilinear>},
+    BakeBuilder{
+        "cones-texel", "conservative cones between texel centres", 0,
+        buildExactCones<preprocess::buildConservativeCones, preprocess::ConeGuarantee::Texel>},
     BakeBuilder{"cones-levels", "conservative cones by 256 depth levels", 0, buildConesByLevels},
     BakeBuilder{"cones-squares", "conservative cones by growing squares", 1024,
                 buildConesBySquares},
     BakeBuilder{"cones-quick", "narrower conservative cones by one walk up the pyramid", 0,
                 buildQuickCones},
+    BakeBuilder{
+        "relaxed-bilinear", "relaxed cones, safe on the bilinear surface", 0,
+        buildExactCones<preprocess::buildRelaxedCones, preprocess::ConeGuarantee::Bilinear>},
+    BakeBuilder{"relaxed-texel", "relaxed cones between texel centres", 0,
+                buildExactCones<preprocess::buildRelaxedCones, preprocess::ConeGuarantee::Texel>},
     BakeBuilder{"relaxed-maxima", "relaxed cones by 256 levels of local maxima", 0,
                 buildRelaxedByMaxima},
     BakeBuilder{"relaxed-policarpo", "relaxed cones by rays between all texels", 64,

@@ -11,6 +11,7 @@
 #include "preprocess/cones_by_squares.h"
 #include "preprocess/conservative_cones.h"
 #include "preprocess/quick_cones.h"
+#include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
 #include "preprocess/roof_cones.h"
@@ -84,6 +85,14 @@ std::string buildRoofs(const MapRequest& request, MapSet& maps) {
     return fmt::format("{} sectors, {}", sectors, countsOf(work, request));
 }
 
+template <ConeGuarantee kGuarantee>
+std::string buildRelaxed(const MapRequest& request, MapSet& maps) {
+    SlopeSearchStatistics work;
+    addSurfaceCones(request, buildRelaxedCones(request.relief, kGuarantee, request.advance, &work),
+                    maps);
+    return countsOf(work, request);
+}
+
 std::string buildByLevels(const MapRequest& request, MapSet& maps) {
     addSurfaceCones(request, buildConesByLevels(request.relief, kLevels, request.advance), maps);
     return fmt::format("at most {} levels", kLevels);
@@ -119,6 +128,10 @@ constexpr ConeKind kKinds[] = {
     {"conservative", "texel", "levels", true, 16.0, surfaceConeChannels, buildByLevels},
     {"conservative", "texel", "squares", true, 4.0, surfaceConeChannels, buildBySquares},
     {"conservative", "texel", "quick", true, 8.0, surfaceConeChannels, buildQuick},
+    {"relaxed", "bilinear", "exact", true, 24.0, surfaceConeChannels,
+     buildRelaxed<ConeGuarantee::Bilinear>},
+    {"relaxed", "texel", "exact", true, 24.0, surfaceConeChannels,
+     buildRelaxed<ConeGuarantee::Texel>},
     // As their authors left them: verify finds rays that pierce the relief twice.
     {"relaxed", "none", "maxima", true, 16.0, surfaceConeChannels, buildByMaxima},
     {"relaxed", "none", "policarpo", true, 4.0, surfaceConeChannels, buildByRays},

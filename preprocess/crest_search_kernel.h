@@ -1,0 +1,413 @@
+// The search of crest_search.h, compiled for each generation of processors: see
+// for_each_processor.h, which is why there is no include guard.
+
+#include "preprocess/square_to_cell_kernel.h"
+
+// A bound is computed with some eight roundings of floats: a node is given up only when it stays
+// under the slopes by more than these could have taken off.
+constexpr float kCrestRounding = 1e-6f;
+
+// The apexes of a packet, in texels, along reflected axes.
+struct CrestApexes {
+    Lanes x;
+    Lanes y;
+    Lanes depth[4];
+    Lanes deepest;
+    float left;
+    float right;
+    float top;
+    float bottom;
+    float greatestDepth;
+};
+
+// A chord that rises from each apex of a packet: the square of its slope, 0 where there is none.
+using SquaredSlopes = Lanes;
+
+// Chords between texel centres.
+struct TexelLeaves {
+    static constexpr float kOrigin = 0.0f;    // the first leaf, in texels
+    static constexpr float kSize = 0.0f;      // of a leaf
+    static constexpr float kHalfSide = 0.0f;  // of an apex
+    static constexpr int kReach = -1;         // nothing is left out
+    static constexpr int kBits = 20;
+
+    const textures::Plane& depths;
+    float aspect;
+
+    [[nodiscard]] static float correction(float) { return 0.0f; }
+    [[nodiscard]] float least(int i, int j) const { return depths.at(i + 1, j + 1); }
+
+    // The depth grows after the texel by the gradient of the cell there, which is another one on
+    // each side of it; where that vanishes, by the twist of the cell.
+    [[nodiscard]] SquaredSlopes steepest(const CrestApexes& apexes, int i, int j, float x,
+                                         float y) const {
+        const float* const here = depths.texels.data() + depths.index(i + 1, j + 1);
+        const int row = depths.width;
+        const Lanes dx = x - apexes.x;
+        const Lanes dy = y - apexes.y;
+        const LaneMask isRight = dx > Lanes{};
+        const LaneMask isBelow = dy > Lanes{};
+        const Lanes alongX = isRight ? splat(here[1] - *here) : splat(here[-1] - *here);
+        const Lanes alongY = isBelow ? splat(here[row] - *here) : splat(here[-row] - *here);
+        const Lanes acrossBelow = isRight ? splat(here[row + 1]) : splat(here[row - 1]);
+        const Lanes acrossAbove = isRight ? splat(here[1 - row]) : splat(here[-1 - row]);
+        const Lanes twist = (isBelow ? acrossBelow : acrossAbove) - *here - alongX - alongY;
+        const Lanes awayX = larger(dx, -dx);
+        const Lanes awayY = larger(dy, -dy);
+        const Lanes growth = awayX * alongX + awayY * alongY;
+        const LaneMask deepens = (growth > Lanes{}) | ((growth == Lanes{}) & (twist > Lanes{}) &
+                                                       (awayX * awayY > Lanes{}));
+        const Lanes difference = apexes.depth[0] - *here;
+        const Lanes square = dx * dx + dy * dy * (aspect * aspect);
+        return deepens & (difference > Lanes{}) ? difference * difference / square : Lanes{};
+    }
+};
+
+// Bounds on chords from the squares of texels to cells.
+struct CellLeaves {
+    static constexpr float kOrigin = -1.0f;
+    static constexpr float kSize = 1.0f;
+    static constexpr float kHalfSide = 0.5f;
+    static constexpr int kReach = CrestSearch::kReach;
+    static constexpr int kBits = 6;
+
+    const textures::Plane& depths;
+    float aspect;
+
+    [[nodiscard]] static float correction(float aspect) { return 0.5f * (1.0f + aspect * aspect); }
+    [[nodiscard]] GradientBox gradients(int i, int j) const {
+        const float* const first = depths.texels.data() + depths.index(i, j);
+        const float* const below = first + depths.width;
+        return gradientsOf(first[0], first[1], below[0], below[1]);
+    }
+    [[nodiscard]] float least(int i, int j) const {
+        const float* const first = depths.texels.data() + depths.index(i, j);
+        const float* const below = first + depths.width;
+        return std::min(std::min(first[0], first[1]), std::min(below[0], below[1]));
+    }
+
+    [[nodiscard]] SquaredSlopes steepest(const CrestApexes& apexes, int i, int j, float x,
+                                         float y) const {
+        const float* const first = depths.texels.data() + depths.index(i, j);
+        const float* const below = first + depths.width;
+        const float depth[4] = {first[0], first[1], below[0], below[1]};
+        const CornerSteps<Lanes> across = cornerSteps(x - apexes.x);
+        const CornerSteps<Lanes> down = cornerSteps(y - apexes.y);
+        const SquareToCell pair = squareToCell(apexes.depth, across, down, depth);
+        const LaneMask comesOut = pair.growth > Lanes{};
+        if (!anyLane(comesOut))
+            return Lanes{};
+        Lanes steepestChord{};
+        Lanes steepestTangent{};
+        for (int b = 0; b < 3; ++b)
+            for (int a = 0; a < 3; ++a) {
+                const Lanes square = across.at[a] * across.at[a] +
+                                     down.at[b] * down.at[b] * (aspect * aspect) -
+                                     correction(aspect);
+                const Lanes perSquare = 1.0f / larger(square, splat(1.0f / kUnbounded));
+                const Lanes chord = pair.chords[b][a];
+                const Lanes tangent = pair.tangents[b][a];
+                steepestChord = larger(steepestChord, chord * chord * perSquare);
+                steepestTangent = larger(steepestTangent, tangent * tangent * perSquare);
+            }
+        return comesOut ? smaller(steepestChord, steepestTangent) : Lanes{};
+    }
+};
+
+// The leaves of a node along one axis, in texels, and how far they are from the apexes.
+struct CrestSpan {
+    float first;
+    float last;
+    Lanes gaps;
+    float leastGap;
+};
+
+// The search of one packet.
+template <typename Leaves>
+class CrestTraversal {
+  public:
+    using Place = CrestSearch::Place;
+    using Node = CrestSearch::Node;
+
+    CrestTraversal(const CrestSearch::Scene& scene, std::vector<Node>& stack,
+                   SlopeSearchStatistics& statistics)
+        : scene_(scene),
+          tree_(*scene.tree),
+          leaves_{*scene.depths, scene.aspect},
+          correction_(Leaves::correction(scene.aspect)),
+          stack_(stack),
+          statistics_(statistics) {}
+
+    void run(const CrestSearch::Packet& packet, std::span<const Place> seeds) {
+        top_ = roundedUp(loadLanes(packet.known.data()), Leaves::kBits);
+        square_ = top_ * top_;
+        roundSlopes();
+        const int reflections = scene_.wrap == textures::WrapMode::Mirror ? 4 : 1;
+        for (int reflection = 0; reflection < reflections; ++reflection) {
+            if ((reflection % 2 != 0 && scene_.copiesX == 0) ||
+                (reflection / 2 != 0 && scene_.copiesY == 0))
+                continue;
+            reflection_ = reflection;
+            placeApexes(packet);
+            for (const Place& seed : seeds)
+                if (seed.reflection == reflection)
+                    tryLeaf(seed);
+            roundSlopes();
+            searchCopies(-1, 1);
+            searchCopies(1, farthestCopy());
+        }
+    }
+
+    void store(CrestSearch::Found& found) const {
+        storeLanes(top_, found.slope.data());
+        std::copy(places_, places_ + kLanes, found.place.begin());
+    }
+
+  private:
+    void placeApexes(const CrestSearch::Packet& packet) {
+        const int flipX = reflection_ % 2;
+        const int flipY = reflection_ / 2;
+        const Lanes columns = loadLanes(packet.column.data());
+        const Lanes rows = loadLanes(packet.row.data());
+        apexes_.x = flipX != 0 ? -1.0f - columns : columns;
+        apexes_.y = flipY != 0 ? -1.0f - rows : rows;
+        for (int k = 0; k < 4; ++k)
+            apexes_.depth[k] =
+                loadLanes(packet.depth[static_cast<std::size_t>(k ^ reflection_)].data());
+        apexes_.deepest = larger(larger(apexes_.depth[0], apexes_.depth[1]),
+                                 larger(apexes_.depth[2], apexes_.depth[3]));
+        apexes_.greatestDepth = largestLane(apexes_.deepest);
+        apexes_.left = smallestLane(apexes_.x) - Leaves::kHalfSide;
+        apexes_.right = largestLane(apexes_.x) + Leaves::kHalfSide;
+        apexes_.top = smallestLane(apexes_.y) - Leaves::kHalfSide;
+        apexes_.bottom = largestLane(apexes_.y) + Leaves::kHalfSide;
+    }
+
+    [[nodiscard]] static CrestSpan spanOf(int level, int i, int leaves, int copy, Lanes positions,
+                                          float low, float high) {
+        const int end = std::min((i + 1) << level, leaves);
+        const float first = Leaves::kOrigin + static_cast<float>(copy + (i << level));
+        const float last = Leaves::kOrigin + static_cast<float>(copy + end - 1) + Leaves::kSize;
+        return {first, last,
+                larger(larger(first - positions, positions - last) - Leaves::kHalfSide, Lanes{}),
+                std::max(std::max(first - high, low - last), 0.0f)};
+    }
+    [[nodiscard]] CrestSpan columns(int level, const Place& place) const {
+        return spanOf(level, place.i, tree_.columns, place.copyI, apexes_.x, apexes_.left,
+                      apexes_.right);
+    }
+    [[nodiscard]] CrestSpan rows(int level, const Place& place) const {
+        return spanOf(level, place.j, tree_.rows, place.copyJ, apexes_.y, apexes_.top,
+                      apexes_.bottom);
+    }
+
+    // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
+    // of some apex.
+    [[nodiscard]] LaneMask mayRise(const CrestSpan& x, const CrestSpan& y, float least) const {
+        const Lanes down = y.gaps * scene_.aspect;
+        const Lanes square = x.gaps * x.gaps + down * down - correction_;
+        const Lanes difference = larger(apexes_.deepest - least, Lanes{});
+        return difference * difference > limit_ * square;
+    }
+
+    // The square of the steepest slope into a node, for the packet as a whole.
+    [[nodiscard]] float boundOf(const CrestSpan& x, const CrestSpan& y, float least) const {
+        const float down = y.leastGap * scene_.aspect;
+        const float square = x.leastGap * x.leastGap + down * down - correction_;
+        const float difference = apexes_.greatestDepth - least;
+        if (!(difference > 0.0f))
+            return 0.0f;
+        return square > 0.0f ? difference * difference / square * (1.0f + kCrestRounding)
+                             : kUnbounded;
+    }
+
+    [[nodiscard]] DirectionRange directions(const CrestSpan& x, const CrestSpan& y) const {
+        return {x.first - apexes_.right, x.last - apexes_.left, y.first - apexes_.bottom,
+                y.last - apexes_.top};
+    }
+
+    [[nodiscard]] static float leastTowards(const CrestTree::Node& node,
+                                            const DirectionRange& range) {
+        const Sectors sectors = sectorsOf(range);
+        float least = std::numeric_limits<float>::infinity();
+        for (std::size_t k = 0; k < kSectors; ++k)
+            least = (sectors >> k & 1) != 0 ? std::min(least, node.least[k]) : least;
+        return least;
+    }
+
+    // Sorted, the most promising on top of what was pushed since `first`.
+    void push(const Node& node, std::size_t first) {
+        std::size_t place = stack_.size();
+        stack_.push_back(node);
+        for (; place > first && stack_[place - 1].bound > node.bound; --place)
+            stack_[place] = stack_[place - 1];
+        stack_[place] = node;
+    }
+
+    // The first column or row of copy `copy` of the tile, along an axis that may be reflected.
+    [[nodiscard]] static int copyStart(int copy, bool isReflected, int texels) {
+        return isReflected ? -(copy + 1) * texels : copy * texels;
+    }
+    [[nodiscard]] bool isReflection(int copyX, int copyY) const {
+        return scene_.wrap != textures::WrapMode::Mirror ||
+               (copyX & 1) + 2 * (copyY & 1) == reflection_;
+    }
+
+    // How many copies away something steeper than what is known may be.
+    [[nodiscard]] int farthestCopy() const {
+        const int most = std::max(scene_.copiesX, scene_.copiesY);
+        const float difference = apexes_.greatestDepth - tree_.leastDepth;
+        const float side = std::min(static_cast<float>(scene_.width),
+                                    static_cast<float>(scene_.height) * scene_.aspect);
+        const float copies = difference / (side * std::sqrt(leastLimit_));
+        return copies < static_cast<float>(most - 2) ? static_cast<int>(copies) + 2 : most;
+    }
+
+    // The copies up to `farthest` to each side, those up to `done` left out.
+    void searchCopies(int done, int farthest) {
+        const int copiesX = std::min(farthest, scene_.copiesX);
+        const int copiesY = std::min(farthest, scene_.copiesY);
+        for (int b = -copiesY; b <= copiesY; ++b)
+            for (int a = -copiesX; a <= copiesX; ++a)
+                if (std::max(std::abs(a), std::abs(b)) > done && isReflection(a, b))
+                    pushNode(tree_.topLevel(),
+                             {0, 0, copyStart(a, reflection_ % 2 != 0, scene_.width),
+                              copyStart(b, reflection_ / 2 != 0, scene_.height), reflection_},
+                             0);
+        search();
+    }
+
+    void search() {
+        while (!stack_.empty()) {
+            const Node node = stack_.back();
+            stack_.pop_back();
+            if (node.bound <= leastLimit_)
+                continue;
+            if (node.level == 1)
+                tryChildren(node.place);
+            else
+                pushChildren(node);
+        }
+    }
+
+    void pushNode(int level, const Place& place, std::size_t first) {
+        const CrestSpan x = columns(level, place);
+        const CrestSpan y = rows(level, place);
+        const CrestTree::Node& node = tree_.node(level, place.i, place.j);
+        const DirectionRange range = directions(x, y);
+        if (!(mostGrowth(node.gradients, range) > 0.0f))
+            return;
+        const float least = leastTowards(node, range);
+        if (!(least < apexes_.greatestDepth))
+            return;
+        const float bound = boundOf(x, y, least);
+        if (bound <= leastLimit_)
+            return;
+        ++statistics_.nodes;
+        if (anyLane(mayRise(x, y, least)))
+            push({level, place, bound}, first);
+    }
+
+    void pushChildren(const Node& parent) {
+        const int level = parent.level - 1;
+        const int right = std::min(2 * parent.place.i + 2, tree_.columnsAt(level));
+        const int bottom = std::min(2 * parent.place.j + 2, tree_.rowsAt(level));
+        const std::size_t first = stack_.size();
+        for (int j = 2 * parent.place.j; j < bottom; ++j)
+            for (int i = 2 * parent.place.i; i < right; ++i) {
+                Place place = parent.place;
+                place.i = i;
+                place.j = j;
+                pushNode(level, place, first);
+            }
+    }
+
+    void tryChildren(const Place& parent) {
+        const int right = std::min(2 * parent.i + 2, tree_.columns);
+        const int bottom = std::min(2 * parent.j + 2, tree_.rows);
+        for (int j = 2 * parent.j; j < bottom; ++j)
+            for (int i = 2 * parent.i; i < right; ++i) {
+                Place place = parent;
+                place.i = i;
+                place.j = j;
+                tryLeaf(place);
+            }
+        roundSlopes();
+    }
+
+    void tryLeaf(const Place& place) {
+        const CrestSpan x = columns(0, place);
+        const CrestSpan y = rows(0, place);
+        LaneMask open = mayRise(x, y, leaves_.least(place.i, place.j));
+        if constexpr (Leaves::kReach >= 0) {
+            const Lanes beforeX = x.first - apexes_.x;
+            const Lanes beforeY = y.first - apexes_.y;
+            const auto low = static_cast<float>(-Leaves::kReach - 1);
+            const auto high = static_cast<float>(Leaves::kReach);
+            open &= ~((beforeX >= splat(low)) & (beforeX <= splat(high)) & (beforeY >= splat(low)) &
+                      (beforeY <= splat(high)));
+        }
+        if (!anyLane(open))
+            return;
+        if constexpr (Leaves::kSize > 0.0f)
+            if (!(mostGrowth(leaves_.gradients(place.i, place.j), directions(x, y)) > 0.0f))
+                return;
+        ++statistics_.samples;
+        const Lanes found = leaves_.steepest(apexes_, place.i, place.j, x.first, y.first);
+        const LaneMask steeper = open & (found > square_);
+        if (!anyLane(steeper))
+            return;
+        square_ = steeper ? found : square_;
+        for (int k = 0; k < kLanes; ++k)
+            if (steeper[k] != 0)
+                places_[k] = place;
+        changed_ = true;
+    }
+
+    void roundSlopes() {
+        if (changed_)
+            top_ = roundedUp(squareRoots(square_), Leaves::kBits);
+        changed_ = false;
+        const Lanes topSquare = top_ * top_;
+        limit_ = topSquare * (1.0f - kCrestRounding);
+        leastLimit_ = smallestLane(limit_);
+    }
+
+    const CrestSearch::Scene& scene_;
+    const CrestTree& tree_;
+    const Leaves leaves_;
+    const float correction_;
+    std::vector<Node>& stack_;
+    SlopeSearchStatistics& statistics_;
+
+    int reflection_ = 0;
+    CrestApexes apexes_{};
+    Lanes square_{};  // of the steepest slopes so far
+    Lanes top_{};     // their roots, rounded up
+    Lanes limit_{};   // the squares of these, less what rounding may take off a bound
+    float leastLimit_ = 0.0f;
+    bool changed_ = false;
+    Place places_[kLanes];
+};
+
+[[gnu::flatten]] inline void findTexelCrests(const CrestSearch::Scene& scene,
+                                             std::vector<CrestSearch::Node>& stack,
+                                             SlopeSearchStatistics& statistics,
+                                             const CrestSearch::Packet& packet,
+                                             std::span<const CrestSearch::Place> seeds,
+                                             CrestSearch::Found& found) {
+    CrestTraversal<TexelLeaves> traversal(scene, stack, statistics);
+    traversal.run(packet, seeds);
+    traversal.store(found);
+}
+
+[[gnu::flatten]] inline void findCellCrests(const CrestSearch::Scene& scene,
+                                            std::vector<CrestSearch::Node>& stack,
+                                            SlopeSearchStatistics& statistics,
+                                            const CrestSearch::Packet& packet,
+                                            std::span<const CrestSearch::Place> seeds,
+                                            CrestSearch::Found& found) {
+    CrestTraversal<CellLeaves> traversal(scene, stack, statistics);
+    traversal.run(packet, seeds);
+    traversal.store(found);
+}
