@@ -59,10 +59,10 @@ ReliefMaps::ReliefMaps(textures::MapSet maps, std::string name)
 void ReliefMaps::require(std::string_view mapName) const {
     for (const std::string_view channel : reliefMapFormat(mapName).channels)
         if (!maps_.find(channel))
-            throw textures::InputError(
-                fmt::format("{}: no channel \"{}\", which is needed here; bake it with "
-                            "relievo-bake relief --maps …,{}",
-                            name_, channel, mapName));
+            throw textures::InputError(fmt::format(
+                "{}: no channel \"{}\", which is needed here; bake it with "
+                "relievo-bake relief --maps …,{}{}",
+                name_, channel, mapName, mapName == "cone" ? " --cone conservative" : ""));
 }
 
 const gl::Texture& ReliefMaps::texture(std::string_view mapName) {

@@ -156,8 +156,17 @@ const ConeKind* findConeKind(const ReliefPlan& plan) {
 }
 
 textures::ConeEncoding coneEncoding(const ReliefPlan& plan) {
-    return plan.encoding.value_or(findConeKind(plan)->isOnSurface ? textures::ConeEncoding::Radius
-                                                                  : textures::ConeEncoding::Ratio);
+    return plan.encoding.value_or(textures::ConeEncoding::Ratio);
+}
+
+std::string usualCone(ReliefPlan plan) {
+    for (const char* const cone : {"roof", "conservative", "relaxed"}) {
+        plan.cone = cone;
+        const ConeKind* const kind = findConeKind(plan);
+        if (kind != nullptr && (kind->isOnSurface || !textures::isPackedFormat(plan.format)))
+            return cone;
+    }
+    return "conservative";
 }
 
 std::vector<std::string> coneWords(std::string_view ConeKind::*respect) {

@@ -32,6 +32,10 @@ const ConeKind* findConeKind(const ReliefPlan& plan);
 /// radii for cones on the surface and ratios for cones on a roof, which have no radius.
 textures::ConeEncoding coneEncoding(const ReliefPlan& plan);
 
+/// The kind of cones where none is asked for: the first of roof, conservative and relaxed that the
+/// rest of `plan` allows. A packed file has too few channels for roof cones.
+std::string usualCone(ReliefPlan plan);
+
 /// The words of all kinds in one of the three respects, each once.
 std::vector<std::string> coneWords(std::string_view ConeKind::*respect);
 

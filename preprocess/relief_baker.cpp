@@ -50,6 +50,10 @@ std::string problemOfEncoding(const ReliefPlan& plan, const ConeKind& kind) {
     // A radius alone says nothing: the search divides it by the depth.
     if (encoding == textures::ConeEncoding::Radius && !plan.has("depth"))
         return "--maps: cones as radii need the map depth beside them";
+    if (encoding == textures::ConeEncoding::Radius && kind.guarantee == "bilinear" &&
+        kind.isOnSurface)
+        return "--encode radius: says nothing over depth 0, where cones that are safe on the "
+               "bilinear surface have a limit: expected ratio or sqrt, or --guarantee texel";
     if (encoding == textures::ConeEncoding::Radius && !kind.isOnSurface)
         return fmt::format("--encode radius: {} cones have none, expected ratio or sqrt",
                            kind.cone);

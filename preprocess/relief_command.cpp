@@ -74,12 +74,12 @@ StorageFormat formatFor(const ReliefArguments& arguments) {
 Job jobOf(const ReliefArguments& arguments) {
     Job job;
     job.plan.maps = splitMaps(arguments.maps);
-    job.plan.cone = arguments.cone;
     job.plan.guarantee = arguments.guarantee;
     job.plan.method = arguments.method;
     job.plan.sectors = arguments.sectors;
     job.plan.encoding = textures::coneEncodingFromName(arguments.encoding);
     job.plan.format = formatFor(arguments);
+    job.plan.cone = arguments.cone.empty() ? usualCone(job.plan) : arguments.cone;
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
     job.plan.slices = arguments.slices;
@@ -219,9 +219,9 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->required();
     add("-o,--output", arguments.output, "Map file to write: .exr, .png, .tif")->required();
     add("--maps", arguments.maps, mapsDescription())->capture_default_str();
-    add("--cone", arguments.cone, "Kind of cones")
-        ->check(CLI::IsMember(coneWords(&ConeKind::cone)))
-        ->capture_default_str();
+    add("--cone", arguments.cone,
+        "Kind of cones [roof in .exr, conservative in .png and .tif, which have too few channels]")
+        ->check(CLI::IsMember(coneWords(&ConeKind::cone)));
     command
         ->add_option("--sectors", arguments.sectors,
                      "Sectors of directions that roof cones tell apart: 1, 4 or 8")
@@ -246,7 +246,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         "Channel of the image, by number or name [Y, R, luminance]");
     add("--encode", arguments.encoding,
         "Cones as ratios, as radii at the reference surface, or as square roots of ratios, which "
-        "serve 8 bits [radius]")
+        "serve 8 bits [ratio]")
         ->check(CLI::IsMember({"ratio", "radius", "sqrt"}));
     add("--format", arguments.format, "float, half (.exr), u16, u8 (.png, .tif) [float, u16]")
         ->check(CLI::IsMember({"float", "half", "u16", "u8"}));
@@ -271,7 +271,8 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
     command
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")
         ->check(CLI::Range(1, kMostThreads));
-    const ReliefPlan usual;
+    ReliefPlan usual;
+    usual.cone = usualCone(usual);
     command->footer(fmt::format(
         "Memory: {:.0f} bytes a texel for the maps above, {} for 4096×4096. A map that would not "
         "fit "

@@ -20,8 +20,10 @@
 namespace relievo::preprocess {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using tests::ProcessResult;
 using tests::ScratchFolder;
 using textures::DepthMap;
@@ -41,7 +43,8 @@ class Bake : public testing::Test {
     MapSet baked(const std::string& height, const std::string& name,
                  std::vector<std::string> options = {}) {
         const std::string file = folder.file(name);
-        std::vector<std::string> arguments = {"relief", height, "-o", file};
+        std::vector<std::string> arguments = {"relief", height,   "-o",
+                                              file,     "--cone", "conservative"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const ProcessResult result = bake(arguments);
         EXPECT_EQ(result.exitStatus, 0) << result.errors;
@@ -94,7 +97,7 @@ TEST_F(Bake, FileHoldsTheMapsOfTheDepthsItStores) {
          {std::pair{"a.exr", "float"}, {"b.exr", "half"}, {"c.png", "u16"}, {"d.tif", "u8"}}) {
         const MapSet maps = baked(height, name, {"--format", format});
         const DepthMap relief = textures::depthMapOf(maps);
-        EXPECT_EQ(maps.encoding, textures::ConeEncoding::Radius);
+        EXPECT_EQ(maps.encoding, textures::ConeEncoding::Ratio);
         const Plane ratio = buildConservativeCones(relief, ConeGuarantee::Bilinear);
         const Derivatives derivatives = buildDerivatives(relief);
         const Plane stored = decodeCones(*maps.find("cone"), relief.depth, maps.encoding);
@@ -143,6 +146,24 @@ TEST_F(Bake, SameBytesForOneAndTwoThreads) {
         EXPECT_EQ(tests::readBytes(folder.file("one" + extension)),
                   tests::readBytes(folder.file("two" + extension)));
     }
+}
+
+TEST_F(Bake, RoofConesAreTheUsualOnesWhereTheyFit) {
+    const std::string height = sample("bricks", "32x32");
+    const auto channelsOf = [&](const std::vector<std::string>& arguments) {
+        const std::string file = folder.file(arguments.front());
+        std::vector<std::string> all = {"relief", height, "-o", file};
+        all.insert(all.end(), arguments.begin() + 1, arguments.end());
+        EXPECT_EQ(bake(all).exitStatus, 0);
+        std::vector<std::string> names;
+        for (const textures::Channel& channel : textures::readMapFile(file).channels)
+            names.push_back(channel.name);
+        return names;
+    };
+    EXPECT_THAT(channelsOf({"a.exr"}), IsSupersetOf({"roof0", "ratio0", "roof3", "ratio3", "dx"}));
+    EXPECT_THAT(channelsOf({"b.exr", "--sectors", "1"}), IsSupersetOf({"roof", "ratio"}));
+    EXPECT_THAT(channelsOf({"c.exr", "--guarantee", "texel"}), Contains("cone"));
+    EXPECT_THAT(channelsOf({"d.png"}), Contains("cone"));
 }
 
 TEST_F(Bake, StagesAreToldUnlessQuiet) {
@@ -222,7 +243,7 @@ TEST_F(Bake, InfoTellsMapFilesAndImages) {
     EXPECT_EQ(maps["height"], 16);
     EXPECT_EQ(maps["format"], "float");
     EXPECT_EQ(maps["wrap"], "clamp");
-    EXPECT_EQ(maps["encoding"], "radius");
+    EXPECT_EQ(maps["encoding"], "ratio");
     EXPECT_EQ(maps["attributes"]["relievo:guarantee"], "bilinear");
     EXPECT_EQ(maps["channels"].size(), 4u);
     EXPECT_THAT(bake({"info", folder.file("a.exr")}).output, HasSubstr("relievo:guarantee"));
