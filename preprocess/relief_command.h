@@ -13,7 +13,7 @@ struct ReliefArguments {
     std::string height;
     std::string output;
     std::string maps = "depth,derivative,cone";
-    std::string cone;  ///< "": usualCone
+    std::string cone;       ///< "": usualCone
     std::string guarantee;  ///< empty: that of the first method that fits
     int sectors = 4;
     std::string method;  ///< empty: the first that fits

@@ -115,20 +115,31 @@ std::vector<ConesToVerify> roofConesOf(const textures::MapSet& maps,
     return {{describeRoofs(roofs), relief, std::move(roofs)}};
 }
 
-std::vector<ConesToVerify> conesOfMapFile(const VerifyArguments& arguments) {
-    refuseOptionsOfOtherTools(arguments);
-    const textures::MapSet maps = textures::readMapFile(arguments.file);
+std::vector<ConesToVerify> conesOfLevel(const textures::MapSet& maps, const std::string& file) {
     textures::DepthMap relief;
     try {
         relief = textures::depthMapOf(maps);
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", arguments.file, error.what()));
+        throw InputError(fmt::format("{}: {}", file, error.what()));
     }
     std::vector<ConesToVerify> all = surfaceConesOf(maps, relief);
-    std::ranges::move(roofConesOf(maps, relief, arguments.file), std::back_inserter(all));
+    std::ranges::move(roofConesOf(maps, relief, file), std::back_inserter(all));
     if (all.empty())
         throw InputError(fmt::format(
-            "{}: holds no cones, expected the channel 'cone', 'roof' or 'roof0'", arguments.file));
+            "{}: holds no cones, expected the channel 'cone', 'roof' or 'roof0'", file));
+    return all;
+}
+
+std::vector<ConesToVerify> conesOfMapFile(const VerifyArguments& arguments) {
+    refuseOptionsOfOtherTools(arguments);
+    const std::vector<textures::MapSet> levels = textures::readMapLevels(arguments.file);
+    std::vector<ConesToVerify> all;
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        for (ConesToVerify& cones : conesOfLevel(levels[level], arguments.file)) {
+            if (level > 0)
+                cones.description += fmt::format(" of level {}", level);
+            all.push_back(std::move(cones));
+        }
     return all;
 }
 

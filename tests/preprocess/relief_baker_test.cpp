@@ -126,7 +126,10 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
     });
     expectNew([](ReliefPlan& plan) { plan.method = "levels"; });
     expectNew([](ReliefPlan& plan) { plan.format = StorageFormat::Half; });
-    expectNew([](ReliefPlan& plan) { plan.encoding = textures::ConeEncoding::Ratio; });
+    expectNew([](ReliefPlan& plan) {
+        plan.guarantee = "texel";
+        plan.encoding = textures::ConeEncoding::Radius;
+    });
     expectNew([](ReliefPlan& plan) { plan.maps = {"depth"}; });
     expectNew([](ReliefPlan& plan) { plan.maps = {"depth", "normal"}; });
     expectNew([](ReliefPlan& plan) {
@@ -151,7 +154,14 @@ TEST(ReliefBaker, ImpossiblePlansAreTold) {
     EXPECT_THAT(problem([](ReliefPlan& plan) { plan.maps.clear(); }), HasSubstr("--maps: "));
     EXPECT_THAT(problem([](ReliefPlan& plan) { plan.method = "magic"; }),
                 HasSubstr("--cone conservative --method magic: not available, expected --method "));
-    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.maps = {"cone"}; }), HasSubstr("need the map"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.maps = {"cone"};
+                    plan.guarantee = "texel";
+                    plan.encoding = textures::ConeEncoding::Radius;
+                }),
+                HasSubstr("need the map"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.encoding = textures::ConeEncoding::Radius; }),
+                HasSubstr("nothing over depth 0"));
     EXPECT_THAT(problem([](ReliefPlan& plan) {
                     plan.maps.emplace_back("normal");
                     plan.format = StorageFormat::U16;

@@ -111,6 +111,19 @@ TEST_F(Verify, ConesOfTexelCentresAreNotSafeForTheBilinearSurface) {
     expectGuilty({"verify", maps, "--rays", "4e4"});
 }
 
+TEST_F(Verify, EveryLevelOfAFileIsChecked) {
+    const std::string height = folder.file("height.png");
+    ASSERT_EQ(bake({"sample", "blocks", "-o", height, "--size", "40x24"}).exitStatus, 0);
+    for (const std::string cone : {"conservative", "relaxed", "roof"}) {
+        const std::string maps = folder.file(cone + ".exr");
+        ASSERT_EQ(bake({"relief", height, "-o", maps, "--mips", "--cone", cone}).exitStatus, 0);
+        const ProcessResult result = bake({"verify", maps, "--rays", "20000"});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        for (int level = 1; level <= 5; ++level)
+            EXPECT_THAT(result.output, HasSubstr("of level " + std::to_string(level)));
+    }
+}
+
 TEST_F(Verify, FilesOfOtherTools) {
     expectPassed(foreign(foreignFile("down.png", kSafeCode)));
     expectGuilty(foreign(foreignFile("nearest.png", kNearestCode)));
