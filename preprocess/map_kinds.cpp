@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "preprocess/ambient_occlusion.h"
 #include "preprocess/cone_kinds.h"
 #include "preprocess/derivatives.h"
 #include "preprocess/distance_volume.h"
+#include "preprocess/horizon_map.h"
 #include "preprocess/normals.h"
+#include "preprocess/visibility_ellipses.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -68,6 +71,82 @@ std::string buildVolume(const MapRequest& request, MapSet& maps) {
     return fmt::format("{} slices at depth scale {}", plan.slices, plan.volumeScale);
 }
 
+std::vector<std::string> horizonChannels(const ReliefPlan& plan) {
+    return numbered("horizon", plan.azimuths);
+}
+
+std::vector<textures::Plane> buildAllHorizons(const MapRequest& request) {
+    const std::size_t texels = request.relief.depth.texels.size();
+    const auto count = static_cast<std::size_t>(request.plan.azimuths);
+    std::vector<textures::Plane> horizons;
+    for (int k = 0; k < request.plan.azimuths; ++k) {
+        horizons.push_back(buildHorizon(request.relief, azimuthOf(k, request.plan.azimuths)));
+        const std::size_t done = horizons.size();
+        if (request.advance)
+            request.advance(texels * done / count - texels * (done - 1) / count);
+    }
+    return horizons;
+}
+
+std::string buildHorizonMap(const MapRequest& request, MapSet& maps) {
+    addNumbered("horizon", buildAllHorizons(request), maps);
+    return fmt::format("{} azimuths", request.plan.azimuths);
+}
+
+// Calls use(horizons): those of the map `horizon`, if it is built already.
+template <typename Use>
+std::string useHorizons(const MapRequest& request, const MapSet& maps, const Use& use) {
+    std::vector<textures::Plane> built;
+    std::vector<const textures::Plane*> horizons;
+    for (const std::string& name : horizonChannels(request.plan))
+        if (const textures::Plane* const horizon = maps.find(name))
+            horizons.push_back(horizon);
+    if (horizons.empty()) {
+        built = buildAllHorizons(request);
+        for (const textures::Plane& horizon : built)
+            horizons.push_back(&horizon);
+    }
+    use(horizons);
+    return fmt::format("from {} azimuths at depth scale {}", horizons.size(),
+                       request.plan.normalScale);
+}
+
+double horizonBytes(const ReliefPlan& plan) {
+    return sizeof(float) * static_cast<double>(plan.has("horizon") ? 0 : plan.azimuths) + 8.0;
+}
+
+std::vector<std::string> occlusionChannels(const ReliefPlan&) {
+    return {"occlusion"};
+}
+
+std::string buildOcclusionMap(const MapRequest& request, MapSet& maps) {
+    textures::Plane occlusion;
+    std::string counts = useHorizons(request, maps, [&](const auto& horizons) {
+        occlusion = buildOcclusion(horizons, request.plan.normalScale);
+    });
+    maps.channels.push_back({"occlusion", std::move(occlusion)});
+    maps.attributes["relievo:normal-scale"] = fmt::format("{}", request.plan.normalScale);
+    return counts;
+}
+
+std::vector<std::string> ellipseChannels(const ReliefPlan&) {
+    return {"ellipsex", "ellipsey", "ellipsea", "ellipseb", "ellipseangle"};
+}
+
+std::string buildEllipses(const MapRequest& request, MapSet& maps) {
+    VisibilityEllipses ellipses;
+    std::string counts = useHorizons(request, maps, [&](const auto& horizons) {
+        ellipses = fitVisibilityEllipses(horizons, request.plan.normalScale);
+    });
+    maps.channels.push_back({"ellipsex", std::move(ellipses.centreX)});
+    maps.channels.push_back({"ellipsey", std::move(ellipses.centreY)});
+    maps.channels.push_back({"ellipsea", std::move(ellipses.longer)});
+    maps.channels.push_back({"ellipseb", std::move(ellipses.shorter)});
+    maps.channels.push_back({"ellipseangle", std::move(ellipses.angle)});
+    maps.attributes["relievo:normal-scale"] = fmt::format("{}", request.plan.normalScale);
+    return counts;
+}
+
 std::vector<std::string> normalChannels(const ReliefPlan&) {
     return {"nx", "ny", "nz"};
 }
@@ -97,6 +176,14 @@ constexpr MapKind kKinds[] = {
     {"cone", "cones of the kind that --cone says", coneChannels, buildCones, coneBytes},
     {"volume", "volume0, volume1 ...: distances in --slices layers at --volume-scale",
      volumeChannels, buildVolume, bytes<16>},
+    {"horizon", "horizon0, horizon1 ...: slopes to the horizon in --azimuths directions",
+     horizonChannels, buildHorizonMap, bytes<8>},
+    {"ellipse",
+     "ellipsex, ellipsey, ellipsea, ellipseb, ellipseangle: what is seen of the sky at "
+     "--normal-scale",
+     ellipseChannels, buildEllipses, horizonBytes},
+    {"occlusion", "occlusion: the share of the sky's light at --normal-scale", occlusionChannels,
+     buildOcclusionMap, horizonBytes},
     {"normal", "nx, ny, nz: unit normals at --normal-scale", normalChannels, buildNormalMap,
      bytes<8>},
     {"derivative", "dx, dy: slopes", derivativeChannels, buildDerivativeMap, bytes<0>},

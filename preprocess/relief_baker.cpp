@@ -89,6 +89,8 @@ std::string planProblem(const ReliefPlan& plan) {
             return problem;
     if (!(plan.normalScale >= 0.0) || !std::isfinite(plan.normalScale))
         return "--normal-scale: expected a number from 0";
+    if (plan.azimuths < kFewestAzimuths || plan.azimuths > kMostAzimuths)
+        return fmt::format("--azimuths: expected {} to {}", kFewestAzimuths, kMostAzimuths);
     if (plan.slices < 1 || plan.slices > kMostSlices)
         return fmt::format("--slices: expected 1 to {}", kMostSlices);
     if (!(plan.volumeScale > 0.0) || !std::isfinite(plan.volumeScale))
@@ -110,7 +112,9 @@ std::string optionWords(const ReliefPlan& plan) {
         if (!cones->isOnSurface)
             words += fmt::format(" sectors={}", plan.sectors);
     }
-    if (plan.has("normal"))
+    if (plan.has("horizon") || plan.has("occlusion") || plan.has("ellipse"))
+        words += fmt::format(" azimuths={}", plan.azimuths);
+    if (plan.has("normal") || plan.has("occlusion") || plan.has("ellipse"))
         words += fmt::format(" normal-scale={}", plan.normalScale);
     if (plan.has("volume"))
         words += fmt::format(" slices={} volume-scale={}", plan.slices, plan.volumeScale);

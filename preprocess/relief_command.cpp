@@ -82,6 +82,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.cone = arguments.cone.empty() ? usualCone(job.plan) : arguments.cone;
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
+    job.plan.azimuths = arguments.azimuths;
     job.plan.slices = arguments.slices;
     job.plan.volumeScale = arguments.volumeScale;
     job.input.isDepth = arguments.input == "depth";
@@ -257,8 +258,13 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         "Bake even if the output is up to date: the same depths, options and version");
     command
         ->add_option("--normal-scale", arguments.normalScale,
-                     "Depth scale of the map normal, in tile widths")
+                     "Depth scale of the maps normal, occlusion and ellipse, in tile widths")
         ->check(CLI::Range(0.0, kLargestScale))
+        ->capture_default_str();
+    command
+        ->add_option("--azimuths", arguments.azimuths,
+                     "Directions of the map horizon, of which occlusion and ellipse are made")
+        ->check(CLI::Range(kFewestAzimuths, kMostAzimuths))
         ->capture_default_str();
     command->add_option("--slices", arguments.slices, "Layers of the map volume")
         ->check(CLI::Range(1, kMostSlices))

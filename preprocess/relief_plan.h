@@ -11,6 +11,10 @@
 
 namespace relievo::preprocess {
 
+/// The fewest and the most azimuths of horizons: ellipses need three.
+inline constexpr int kFewestAzimuths = 3;
+inline constexpr int kMostAzimuths = 256;
+
 /// The most layers that the map `volume` may have.
 inline constexpr int kMostSlices = 256;
 
@@ -24,8 +28,10 @@ struct ReliefPlan {
     std::optional<textures::ConeEncoding> encoding;  ///< none: that of the kind of cones
     /// What the file will hold: the maps are those of the depths after this rounding.
     textures::StorageFormat format = textures::StorageFormat::Float;
-    bool mips = false;         ///< MIP levels down to 1×1, each with its own maps
-    double normalScale = 0.1;  ///< depth scale of the map `normal`, in tile widths
+    bool mips = false;  ///< MIP levels down to 1×1, each with its own maps
+    /// Depth scale of the maps `normal`, `occlusion` and `ellipse`, in tile widths.
+    double normalScale = 0.1;
+    int azimuths = 8;          ///< of the maps `horizon`, `occlusion` and `ellipse`
     int slices = 16;           ///< layers of the map `volume`
     double volumeScale = 0.1;  ///< depth scale of the map `volume`, in tile widths
 
