@@ -7,6 +7,7 @@
 
 #include "preprocess/ambient_occlusion.h"
 #include "preprocess/cone_kinds.h"
+#include "preprocess/cylinder_radii.h"
 #include "preprocess/derivatives.h"
 #include "preprocess/distance_volume.h"
 #include "preprocess/horizon_map.h"
@@ -147,6 +148,15 @@ std::string buildEllipses(const MapRequest& request, MapSet& maps) {
     return counts;
 }
 
+std::vector<std::string> cylinderChannels(const ReliefPlan&) {
+    return {"cylinder"};
+}
+
+std::string buildCylinders(const MapRequest& request, MapSet& maps) {
+    maps.channels.push_back({"cylinder", buildCylinderRadii(request.relief)});
+    return "distances to crests in four quadrants";
+}
+
 std::vector<std::string> normalChannels(const ReliefPlan&) {
     return {"nx", "ny", "nz"};
 }
@@ -184,6 +194,8 @@ constexpr MapKind kKinds[] = {
      ellipseChannels, buildEllipses, horizonBytes},
     {"occlusion", "occlusion: the share of the sky's light at --normal-scale", occlusionChannels,
      buildOcclusionMap, horizonBytes},
+    {"cylinder", "cylinder: radii in which no ray pierces the relief twice", cylinderChannels,
+     buildCylinders, bytes<16>},
     {"normal", "nx, ny, nz: unit normals at --normal-scale", normalChannels, buildNormalMap,
      bytes<8>},
     {"derivative", "dx, dy: slopes", derivativeChannels, buildDerivativeMap, bytes<0>},

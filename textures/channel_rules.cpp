@@ -19,10 +19,10 @@ constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
 
 /// Roof cones may have a layer per sector: `roof0`, `ratio0` … follow the rule of `roof`, `ratio`.
 constexpr std::array kRules{
-    NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},      NamedRule{"dy", kSigned},
-    NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},      NamedRule{"nz", kSigned},
-    NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},     NamedRule{"roof", kSafeUnit},
-    NamedRule{"volume", kSafe}, NamedRule{"occlusion", kUnit},
+    NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},     NamedRule{"dy", kSigned},
+    NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},     NamedRule{"nz", kSigned},
+    NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},    NamedRule{"roof", kSafeUnit},
+    NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe}, NamedRule{"occlusion", kUnit},
 };
 
 }  // namespace
