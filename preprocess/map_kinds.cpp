@@ -9,6 +9,7 @@
 #include "preprocess/cone_kinds.h"
 #include "preprocess/cylinder_radii.h"
 #include "preprocess/derivatives.h"
+#include "preprocess/dilation_erosion.h"
 #include "preprocess/distance_volume.h"
 #include "preprocess/horizon_map.h"
 #include "preprocess/normals.h"
@@ -157,6 +158,19 @@ std::string buildCylinders(const MapRequest& request, MapSet& maps) {
     return "distances to crests in four quadrants";
 }
 
+std::vector<std::string> extremaChannels(const ReliefPlan&) {
+    return {"dmin", "dmax"};
+}
+
+std::string buildExtrema(const MapRequest& request, MapSet& maps) {
+    const int reach = request.plan.reach;
+    DepthExtrema extrema = findDepthExtrema(request.relief, reach);
+    maps.channels.push_back({"dmin", std::move(extrema.least)});
+    maps.channels.push_back({"dmax", std::move(extrema.greatest)});
+    maps.attributes["relievo:reach"] = fmt::format("{}", reach);
+    return fmt::format("of {0} x {0} texels", 2 * reach + 1);
+}
+
 std::vector<std::string> normalChannels(const ReliefPlan&) {
     return {"nx", "ny", "nz"};
 }
@@ -198,6 +212,8 @@ constexpr MapKind kKinds[] = {
      buildCylinders, bytes<16>},
     {"normal", "nx, ny, nz: unit normals at --normal-scale", normalChannels, buildNormalMap,
      bytes<8>},
+    {"extrema", "dmin, dmax: least and greatest depths within --reach texels", extremaChannels,
+     buildExtrema, bytes<0>},
     {"derivative", "dx, dy: slopes", derivativeChannels, buildDerivativeMap, bytes<0>},
     {"depth", "depth: the relief itself", depthChannels, nullptr, bytes<0>},
 };

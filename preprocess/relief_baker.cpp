@@ -89,6 +89,8 @@ std::string planProblem(const ReliefPlan& plan) {
             return problem;
     if (!(plan.normalScale >= 0.0) || !std::isfinite(plan.normalScale))
         return "--normal-scale: expected a number from 0";
+    if (plan.reach < 0 || plan.reach > kFarthestReach)
+        return fmt::format("--reach: expected 0 to {}", kFarthestReach);
     if (plan.azimuths < kFewestAzimuths || plan.azimuths > kMostAzimuths)
         return fmt::format("--azimuths: expected {} to {}", kFewestAzimuths, kMostAzimuths);
     if (plan.slices < 1 || plan.slices > kMostSlices)
@@ -112,6 +114,8 @@ std::string optionWords(const ReliefPlan& plan) {
         if (!cones->isOnSurface)
             words += fmt::format(" sectors={}", plan.sectors);
     }
+    if (plan.has("extrema"))
+        words += fmt::format(" reach={}", plan.reach);
     if (plan.has("horizon") || plan.has("occlusion") || plan.has("ellipse"))
         words += fmt::format(" azimuths={}", plan.azimuths);
     if (plan.has("normal") || plan.has("occlusion") || plan.has("ellipse"))

@@ -82,6 +82,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.cone = arguments.cone.empty() ? usualCone(job.plan) : arguments.cone;
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
+    job.plan.reach = arguments.reach;
     job.plan.azimuths = arguments.azimuths;
     job.plan.slices = arguments.slices;
     job.plan.volumeScale = arguments.volumeScale;
@@ -260,6 +261,11 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->add_option("--normal-scale", arguments.normalScale,
                      "Depth scale of the maps normal, occlusion and ellipse, in tile widths")
         ->check(CLI::Range(0.0, kLargestScale))
+        ->capture_default_str();
+    command
+        ->add_option("--reach", arguments.reach,
+                     "How far around a texel the map extrema looks, in texels")
+        ->check(CLI::Range(0, kFarthestReach))
         ->capture_default_str();
     command
         ->add_option("--azimuths", arguments.azimuths,

@@ -23,6 +23,7 @@ struct ReliefArguments {
     std::string encoding;  ///< empty: that of the kind of cones
     std::string format;
     double normalScale = 0.1;
+    int reach = 4;
     int azimuths = 8;
     int slices = 16;
     double volumeScale = 0.1;

@@ -15,6 +15,9 @@ namespace relievo::preprocess {
 inline constexpr int kFewestAzimuths = 3;
 inline constexpr int kMostAzimuths = 256;
 
+/// The farthest that the map `extrema` may reach, in texels.
+inline constexpr int kFarthestReach = 1024;
+
 /// The most layers that the map `volume` may have.
 inline constexpr int kMostSlices = 256;
 
@@ -31,6 +34,7 @@ struct ReliefPlan {
     bool mips = false;  ///< MIP levels down to 1×1, each with its own maps
     /// Depth scale of the maps `normal`, `occlusion` and `ellipse`, in tile widths.
     double normalScale = 0.1;
+    int reach = 4;             ///< of the map `extrema`, in texels
     int azimuths = 8;          ///< of the maps `horizon`, `occlusion` and `ellipse`
     int slices = 16;           ///< layers of the map `volume`
     double volumeScale = 0.1;  ///< depth scale of the map `volume`, in tile widths

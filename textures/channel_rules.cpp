@@ -23,6 +23,7 @@ constexpr std::array kRules{
     NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},     NamedRule{"nz", kSigned},
     NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},    NamedRule{"roof", kSafeUnit},
     NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe}, NamedRule{"occlusion", kUnit},
+    NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},
 };
 
 }  // namespace
