@@ -65,6 +65,14 @@ TEST(MemoryNeed, GrowsWithTheMapsAndTheirSize) {
                 memoryPerTexel(many) * 4096 * 2048, 2);
 }
 
+TEST(MemoryNeed, CountsEverySliceOfAVolume) {
+    ReliefPlan few;
+    few.maps = {"volume"};
+    ReliefPlan many = few;
+    many.slices = few.slices + 100;
+    EXPECT_DOUBLE_EQ(memoryPerTexel(many), memoryPerTexel(few) + 400.0);
+}
+
 TEST(MemoryNeed, MoreThanThereIsIsRefusedWithBothAmounts) {
     const ReliefPlan plan;
     const std::uint64_t need = memoryNeed(plan, 4096, 4096);

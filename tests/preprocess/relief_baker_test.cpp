@@ -136,6 +136,35 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
         plan.maps = {"depth", "normal"};
         plan.normalScale = 0.7;
     });
+    for (const std::string map : {"occlusion", "ellipse", "horizon", "volume", "extrema"})
+        expectNew([&](ReliefPlan& plan) { plan.maps = {map}; });
+    for (const std::string map : {"occlusion", "ellipse", "horizon"})
+        expectNew([&](ReliefPlan& plan) {
+            plan.maps = {map};
+            plan.azimuths = 16;
+        });
+    expectNew([](ReliefPlan& plan) {
+        plan.maps = {"volume"};
+        plan.slices = 3;
+    });
+    expectNew([](ReliefPlan& plan) {
+        plan.maps = {"volume"};
+        plan.volumeScale = 0.3;
+    });
+    expectNew([](ReliefPlan& plan) {
+        plan.maps = {"extrema"};
+        plan.reach = 1;
+    });
+}
+
+TEST(ReliefBaker, OcclusionIsTheSameWithAndWithoutTheHorizonsInTheFile) {
+    ReliefPlan plan;
+    plan.maps = {"occlusion", "ellipse"};
+    const MapSet alone = bakeRelief(hills(20, 14), plan);
+    plan.maps.emplace_back("horizon");
+    const MapSet beside = bakeRelief(hills(20, 14), plan);
+    for (const textures::Channel& channel : alone.channels)
+        EXPECT_EQ(beside.find(channel.name)->texels, channel.plane.texels) << channel.name;
 }
 
 TEST(ReliefBaker, ImpossiblePlansAreTold) {
@@ -147,6 +176,11 @@ TEST(ReliefBaker, ImpossiblePlansAreTold) {
         return sentence;
     };
     EXPECT_EQ(planProblem(ReliefPlan{}), "");
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.slices = 0; }), HasSubstr("--slices"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.volumeScale = 0.0; }),
+                HasSubstr("--volume-scale"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.azimuths = 2; }), HasSubstr("--azimuths"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.reach = -1; }), HasSubstr("--reach"));
     EXPECT_THAT(problem([](ReliefPlan& plan) {
                     plan.maps = {"depth", "moon"};
                 }),
