@@ -57,10 +57,12 @@ class SectorSamples {
         LaneMask inside = LaneMask{} - 1;
         const Lanes alongX = fromX * sector_.signX;
         const Lanes alongY = fromY * sector_.signY;
+        // The samples at the near corners of a cell count; the next ones are a texel farther, so
+        // that a quarter of one keeps rounding from leaving them out.
         if (sector_.signX != 0.0f)
-            inside &= alongX >= splat(-halfSide_);
+            inside &= alongX >= splat(-1.5f * halfSide_);
         if (sector_.signY != 0.0f)
-            inside &= alongY >= splat(-halfHeight_);
+            inside &= alongY >= splat(-1.5f * halfHeight_);
         if (sector_.half == ChordSector::Half::Shallow)
             inside &= alongY <= alongX + sector_.slack;
         if (sector_.half == ChordSector::Half::Steep)
@@ -79,7 +81,8 @@ class SectorSamples {
     [[nodiscard]] bool reaches(const Span& x, const Span& y, const PacketBounds& packet) const {
         const float farX = ahead(x, packet.left, packet.right, sector_.signX);
         const float farY = ahead(y, packet.top, packet.bottom, sector_.signY);
-        if ((sector_.signX != 0.0f && farX < 0.0f) || (sector_.signY != 0.0f && farY < 0.0f))
+        if ((sector_.signX != 0.0f && farX < -0.5f * halfSide_) ||
+            (sector_.signY != 0.0f && farY < -0.5f * halfHeight_))
             return false;
         if (sector_.half == ChordSector::Half::Shallow)
             return aheadAtLeast(y, packet.top, packet.bottom, sector_.signY) <=
