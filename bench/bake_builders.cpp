@@ -15,6 +15,7 @@
 #include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
+#include "preprocess/roof_cones.h"
 #include "preprocess/sequential_distances.h"
 
 namespace relievo::bench {
@@ -22,6 +23,12 @@ namespace {
 
 BakeOutput buildDerivatives(const BakeInput& input) {
     preprocess::buildDerivatives(input.map);
+    return {};
+}
+
+template <int kSectors>
+BakeOutput buildRoofs(const BakeInput& input) {
+    preprocess::buildRoofCones(input.map, {.sectors = kSectors});
     return {};
 }
 
@@ -93,6 +100,9 @@ constexpr std::array kBuilders{
                 buildConesBySquares},
     BakeBuilder{"cones-quick", "narrower conservative cones by one walk up the pyramid", 0,
                 buildQuickCones},
+    BakeBuilder{"roof-1", "roof cones of 1 sector", 0, buildRoofs<1>},
+    BakeBuilder{"roof-4", "roof cones of 4 sectors", 0, buildRoofs<4>},
+    BakeBuilder{"roof-8", "roof cones of 8 sectors", 0, buildRoofs<8>},
     BakeBuilder{
         "relaxed-bilinear", "relaxed cones, safe on the bilinear surface", 0,
         buildExactCones<preprocess::buildRelaxedCones, preprocess::ConeGuarantee::Bilinear>},
