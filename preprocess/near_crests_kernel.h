@@ -193,6 +193,15 @@ inline Lanes boundByGradients(const SideGradients& path, const SideGradients& en
     return steepest;
 }
 
+// Which half of the cell of a quarter, −1 or 0 along an axis, chords from the quarter to cell `to`
+// cross (SideGradients::part). The quarter is the half that is nearer to the texel's centre: across
+// the centre the way leads through it alone, the other way through all of the cell.
+constexpr int halfOnTheWay(int own, int to) {
+    if ((own < 0) != (to > own))
+        return 0;
+    return own < 0 ? 1 : -1;
+}
+
 // The same for the chords from a quarter of each square to a cell that is the quarter's or beside
 // it: they stay in the rectangle around both.
 inline Lanes quarterBoundByGradients(const Squares& squares, int quarter, int x, int y) {
@@ -202,9 +211,8 @@ inline Lanes quarterBoundByGradients(const Squares& squares, int quarter, int x,
     Lanes steepest = boundByGradients(end, end);
     const auto add = [&](int cellX, int cellY) {
         const SideGradients cell(CellLanes(squares.texel, cellX, cellY), squares.aspect);
-        // The quarter is the half of its own cell that is nearer to the texel's centre.
-        const SideGradients path =
-            cell.part(cellX == x ? 0 : (ownX < 0 ? 1 : -1), cellY == y ? 0 : (ownY < 0 ? 1 : -1));
+        const SideGradients path = cell.part(cellX == x ? 0 : halfOnTheWay(ownX, x),
+                                             cellY == y ? 0 : halfOnTheWay(ownY, y));
         steepest = larger(steepest, boundByGradients(path, end));
     };
     if (x != ownX)

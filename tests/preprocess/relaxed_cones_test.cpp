@@ -7,6 +7,7 @@
 
 #include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
+#include "reference/guarantee_check.h"
 #include "tests/preprocess/cone_oracle.h"
 #include "textures/sample_reliefs.h"
 
@@ -184,6 +185,21 @@ TEST(RelaxedCones, AreSafeInEveryWrapModeAndShape) {
                     << width << "x" << height << " " << wrapModeName(wrap) << " " << aspect;
             }
         }
+}
+
+// Where the relief is steep from texel to texel, most cones end beside their squares, and what the
+// sampling above steps over is found by rays alone.
+TEST(RelaxedCones, AreSafeForRaysOnSteepMaps) {
+    for (const std::uint32_t seed : {1u, 5u, 13u}) {
+        const DepthMap map = textures::generateSampleRelief("noise", 25, 17, seed);
+        reference::GuaranteeCheckOptions options;
+        options.rays = 200000;
+        const Plane ratio = buildRelaxedCones(map, ConeGuarantee::Bilinear);
+        EXPECT_EQ(
+            reference::checkCones(map, ratio, reference::ConePromise::Relaxed, options).violations,
+            0u)
+            << seed;
+    }
 }
 
 TEST(RelaxedCones, AreUnlimitedWhereNothingIsHigher) {
