@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
-#include <vector>
 
 namespace relievo::preprocess {
 namespace {
 
 using textures::DepthMap;
 
-// Rows and columns of the mosaic of copies, so that the inner loop is plain.
-DepthMap mosaicOf(const DepthMap& map, int copies) {
-    const int tiles = 2 * copies + 1;
-    DepthMap mosaic{textures::Plane(tiles * map.width(), tiles * map.height()), map.wrap};
-    for (int j = 0; j < mosaic.height(); ++j)
-        for (int i = 0; i < mosaic.width(); ++i)
-            mosaic.depth.at(i, j) = map.at(i - copies * map.width(), j - copies * map.height());
-    return mosaic;
-}
-
+// Over a mosaic of copies, so that the inner loop is plain.
 double leastSquaredRatio(const textures::Plane& depth, int i, int j) {
     const double apex = depth.at(i, j);
     double least = std::numeric_limits<double>::infinity();
@@ -38,15 +27,6 @@ double leastSquaredRatio(const textures::Plane& depth, int i, int j) {
 }
 
 }  // namespace
-
-DepthMap noiseMap(int width, int height, textures::WrapMode wrap, std::uint32_t seed, int levels) {
-    std::mt19937 generator(seed);
-    DepthMap map{textures::Plane(width, height), wrap};
-    for (float& depth : map.depth.texels)
-        depth = static_cast<float>(generator() % static_cast<std::uint32_t>(levels)) /
-                static_cast<float>(std::max(levels - 1, 1));
-    return map;
-}
 
 double bruteForceRatio(const DepthMap& map, int i, int j, int copies) {
     const DepthMap mosaic = mosaicOf(map, copies);

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
+#include "tests/preprocess/small_reliefs.h"
 #include "textures/depth_map.h"
 #include "textures/plane.h"
 
 namespace relievo::preprocess {
-
-/// A map of noise: `levels` equally spaced depths in [0,1], the same on every machine.
-textures::DepthMap noiseMap(int width, int height, textures::WrapMode wrap, std::uint32_t seed,
-                            int levels = 1 << 20);
 
 /// The ratio of the widest empty cone on texel (i,j), by trying every texel in double precision.
 /// `copies` tiles in each direction besides the tile itself are tried literally, with the depths

@@ -1,9 +1,7 @@
 #include "preprocess/cones_by_levels.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -57,22 +55,6 @@ TEST(ConesByLevels, OfAQuantisedMapAreUnsafeForTheTrueOne) {
     for (std::size_t k = 0; k < ratio.texels.size(); ++k)
         wider += ratio.texels[k] > exact.texels[k] * (1.0f + 3e-6f) ? 1 : 0;
     EXPECT_GT(wider, 0u);
-}
-
-TEST(ConesByLevels, AreTheSameBytesForOneAndTwoThreads) {
-    const DepthMap map = textures::generateSampleRelief("cobbles", 70, 50);
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildConesByLevels(map, 32).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
-}
-
-TEST(ConesByLevels, SayHowFarTheyAre) {
-    const DepthMap map = noiseMap(31, 7, WrapMode::Clamp, 1);
-    std::atomic<std::size_t> done{0};
-    buildConesByLevels(map, 10, [&](std::size_t texels) { done += texels; });
-    EXPECT_EQ(done, 31u * 7u);
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
 #include "preprocess/cones_by_squares.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
-#include <algorithm>
-#include <atomic>
-#include <limits>
 #include <utility>
 
 #include "tests/preprocess/cone_oracle.h"
@@ -61,23 +57,6 @@ TEST(ConesBySquares, AreCaughtWhenTheyForgetToRepeat) {
     const Plane ratio = buildConesBySquares(map);
     map.wrap = WrapMode::Repeat;
     EXPECT_GT(countWrongRatios(ratio, map, 1), 0u);
-}
-
-TEST(ConesBySquares, AreUnlimitedOnAFlatMap) {
-    const Plane ratio = buildConesBySquares({Plane(9, 5, 0.5f), WrapMode::Repeat});
-    EXPECT_EQ(*std::min_element(ratio.texels.begin(), ratio.texels.end()),
-              std::numeric_limits<float>::infinity());
-}
-
-TEST(ConesBySquares, AreTheSameBytesForOneAndTwoThreadsAndSayHowFarTheyAre) {
-    const DepthMap map = textures::generateSampleRelief("cobbles", 70, 50);
-    std::atomic<std::size_t> done{0};
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildConesBySquares(map, [&](std::size_t texels) { done += texels; }).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
-    EXPECT_EQ(done, 2u * 70u * 50u);
 }
 
 }  // namespace

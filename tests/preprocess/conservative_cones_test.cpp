@@ -1,10 +1,8 @@
 #include "preprocess/conservative_cones.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -14,6 +12,7 @@
 
 #include "preprocess/round_down.h"
 #include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::preprocess {
@@ -98,9 +97,9 @@ TEST(ConservativeCones, AreTheSameBytesAndTheSameWorkForOneAndTwoThreads) {
         std::vector<Plane> ratios;
         std::vector<SlopeSearchStatistics> work(2);
         for (const std::size_t threads : {1u, 2u}) {
-            const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                              threads);
-            ratios.push_back(buildConservativeCones(map, guarantee, {}, &work[threads - 1]));
+            ratios.push_back(onThreads(threads, [&] {
+                return buildConservativeCones(map, guarantee, {}, &work[threads - 1]);
+            }));
         }
         EXPECT_EQ(ratios[0].texels, ratios[1].texels);
         EXPECT_EQ(work[0].nodes, work[1].nodes);
@@ -128,15 +127,6 @@ TEST(ConservativeCones, SurviveDifferencesAtTheEndsOfFloat) {
     EXPECT_EQ(ratio.at(0, 0), kInfinity);
     EXPECT_EQ(ratio.at(1, 0), std::numeric_limits<float>::max());
     EXPECT_TRUE(isTrueRatio(ratio.at(2, 0), 1.0 / 3));
-}
-
-TEST(ConservativeCones, SayHowFarTheyAre) {
-    const DepthMap map = noiseMap(130, 70, WrapMode::Repeat, 1);
-    for (const ConeGuarantee guarantee : kGuarantees) {
-        std::atomic<std::size_t> done{0};
-        buildConservativeCones(map, guarantee, [&](std::size_t texels) { done += texels; });
-        EXPECT_EQ(done, 130u * 70u);
-    }
 }
 
 // A search in growing squares that stops too early, as algorithm 3.2 prints it (E5): on the

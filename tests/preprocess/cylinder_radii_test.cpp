@@ -1,7 +1,6 @@
 #include "preprocess/cylinder_radii.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,8 @@
 #include <utility>
 
 #include "reference/surface_crossings.h"
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/bilinear.h"
 
 namespace relievo::preprocess {
@@ -21,15 +21,6 @@ using textures::Plane;
 using textures::WrapMode;
 
 constexpr WrapMode kWraps[] = {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp};
-
-DepthMap hills(int width, int height, WrapMode wrap, double aspect = 1.0) {
-    DepthMap map{Plane(width, height), wrap, aspect};
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i)
-            map.depth.at(i, j) =
-                static_cast<float>(0.5 + 0.45 * std::sin(0.4 * i + 0.2) * std::cos(0.3 * j));
-    return map;
-}
 
 // A ray from a random point of the square of texel (i,j), above the surface, that is `radius` tile
 // widths long. Most of them aim a little below a point of the surface on their way, so that they
@@ -79,7 +70,7 @@ TEST(CylinderRadii, NoRayPiercesTheReliefTwiceWithin) {
              {std::pair{1, 1}, {1, 9}, {10, 1}, {2, 2}, {17, 13}, {64, 1}, {31, 24}})
             for (const DepthMap& map :
                  {noiseMap(width, height, wrap, 5), noiseMap(width, height, wrap, 5, 3),
-                  hills(width, height, wrap, 0.5)})
+                  hillMap(width, height, wrap, 0.5)})
                 EXPECT_EQ(countReappearing(map, buildCylinderRadii(map), 0.0, 20), 0)
                     << width << "x" << height << " " << wrapModeName(wrap);
         // A few spikes leave wide cylinders.
@@ -91,7 +82,7 @@ TEST(CylinderRadii, NoRayPiercesTheReliefTwiceWithin) {
 }
 
 TEST(CylinderRadii, RaysInWiderOnesDo) {
-    DepthMap map = hills(31, 24, WrapMode::Repeat);
+    DepthMap map = hillMap(31, 24, WrapMode::Repeat);
     EXPECT_GT(countReappearing(map, buildCylinderRadii(map), 2.0, 40), 0);
     DepthMap clamped{Plane(24, 24, 1.0f), WrapMode::Clamp};
     clamped.depth.at(1, 12) = 0.0f;
@@ -152,10 +143,8 @@ TEST(CylinderRadii, AreThoseOfTheMosaic) {
         DepthMap map{Plane(13, 8, 1.0f), wrap};
         for (const auto& [i, j] : {std::pair{2, 3}, {9, 7}})
             map.depth.at(i, j) = 0.2f;
-        DepthMap mosaic{Plane(39, 24), WrapMode::Clamp};
-        for (int j = 0; j < 24; ++j)
-            for (int i = 0; i < 39; ++i)
-                mosaic.depth.at(i, j) = map.at(i - 13, j - 8);
+        DepthMap mosaic = mosaicOf(map, 1);
+        mosaic.wrap = WrapMode::Clamp;
         const Plane radii = buildCylinderRadii(map);
         const Plane wide = buildCylinderRadii(mosaic);
         for (int j = 0; j < 8; ++j)
@@ -167,11 +156,8 @@ TEST(CylinderRadii, AreThoseOfTheMosaic) {
 
 TEST(CylinderRadii, AreTheSameForOneAndTwoThreads) {
     const DepthMap map = noiseMap(150, 70, WrapMode::Mirror, 5, 3);
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildCylinderRadii(map).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
+    const auto build = [&] { return buildCylinderRadii(map).texels; };
+    EXPECT_EQ(onThreads(1, build), onThreads(2, build));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include "preprocess/dilation_erosion.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <random>
 #include <utility>
 
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/bilinear.h"
 
 namespace relievo::preprocess {
@@ -74,12 +74,11 @@ TEST(DilationErosion, AreCaughtWithAWrongWrapModeOrReach) {
 
 TEST(DilationErosion, AreTheSameForOneAndTwoThreads) {
     const DepthMap map = noiseMap(200, 90, WrapMode::Mirror, 5);
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return findDepthExtrema(map, 4);
-    };
-    EXPECT_EQ(build(1).least.texels, build(2).least.texels);
-    EXPECT_EQ(build(1).greatest.texels, build(2).greatest.texels);
+    const auto build = [&] { return findDepthExtrema(map, 4); };
+    const DepthExtrema one = onThreads(1, build);
+    const DepthExtrema two = onThreads(2, build);
+    EXPECT_EQ(one.least.texels, two.least.texels);
+    EXPECT_EQ(one.greatest.texels, two.greatest.texels);
 }
 
 }  // namespace

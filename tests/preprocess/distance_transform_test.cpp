@@ -1,7 +1,6 @@
 #include "preprocess/distance_transform.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "tests/preprocess/random_set.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/input_error.h"
 
 namespace relievo::preprocess {
@@ -122,11 +122,8 @@ TEST(DistanceTransform, UsesMemoryAgainThatHeldALargerMap) {
 
 TEST(DistanceTransform, IsTheSameForOneAndTwoThreads) {
     const Set set = randomSet(150, 90, 300, 8);
-    const auto measure = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return distancesTo(set, 150, 90, WrapMode::Repeat).texels;
-    };
-    EXPECT_EQ(measure(1), measure(2));
+    const auto measure = [&] { return distancesTo(set, 150, 90, WrapMode::Repeat).texels; };
+    EXPECT_EQ(onThreads(1, measure), onThreads(2, measure));
 }
 
 TEST(DistanceTransform, IsCaughtWhenItForgetsToRepeat) {

@@ -1,7 +1,6 @@
 #include "preprocess/distance_volume.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,8 @@
 #include <utility>
 
 #include "reference/surface_crossings.h"
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/bilinear.h"
 
 namespace relievo::preprocess {
@@ -22,15 +22,6 @@ using textures::WrapMode;
 
 constexpr WrapMode kWraps[] = {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp};
 constexpr double kScale = 0.3;
-
-DepthMap hills(int width, int height, WrapMode wrap, double aspect = 1.0) {
-    DepthMap map{Plane(width, height), wrap, aspect};
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i)
-            map.depth.at(i, j) =
-                static_cast<float>(0.5 + 0.45 * std::sin(0.9 * i + 0.2) * std::cos(0.5 * j));
-    return map;
-}
 
 // How many of `rays` from random points of random voxels, as long as the volume says, get below the
 // surface.
@@ -70,7 +61,7 @@ TEST(DistanceVolume, NoStepPiercesTheBilinearSurface) {
              {std::pair{1, 1}, {1, 9}, {10, 1}, {2, 2}, {17, 13}, {64, 1}, {31, 24}})
             for (const int slices : {1, 7})
                 for (const DepthMap& map :
-                     {noiseMap(width, height, wrap, 5), hills(width, height, wrap, 0.5)})
+                     {noiseMap(width, height, wrap, 5), hillMap(width, height, wrap, 0.5)})
                     EXPECT_EQ(countPiercing(map, buildDistanceVolume(map, slices, kScale), kScale,
                                             1.0, 1000, 3),
                               0)
@@ -78,7 +69,7 @@ TEST(DistanceVolume, NoStepPiercesTheBilinearSurface) {
 }
 
 TEST(DistanceVolume, StepsThatAreLongerPierceIt) {
-    const DepthMap map = hills(40, 30, WrapMode::Repeat);
+    const DepthMap map = hillMap(40, 30, WrapMode::Repeat);
     EXPECT_GT(countPiercing(map, buildDistanceVolume(map, 8, kScale), kScale, 2.0, 5000, 3), 0);
     DepthMap clamped = map;
     clamped.wrap = WrapMode::Clamp;
@@ -171,10 +162,7 @@ TEST(DistanceVolume, OfAPlainIsTheDepthBelowTheVoxel) {
 
 TEST(DistanceVolume, IsThatOfTheMosaic) {
     const DepthMap map = noiseMap(13, 7, WrapMode::Repeat, 9);
-    DepthMap mosaic{Plane(39, 21), WrapMode::Repeat};
-    for (int j = 0; j < 21; ++j)
-        for (int i = 0; i < 39; ++i)
-            mosaic.depth.at(i, j) = map.at(i, j);
+    const DepthMap mosaic = mosaicOf(map, 1);
     const std::vector<Plane> volume = buildDistanceVolume(map, 3, kScale);
     const std::vector<Plane> wide = buildDistanceVolume(mosaic, 3, kScale / 3);
     for (std::size_t k = 0; k < 3; ++k)
@@ -186,13 +174,12 @@ TEST(DistanceVolume, IsThatOfTheMosaic) {
 TEST(DistanceVolume, IsTheSameForOneAndTwoThreadsAndTellsOfAllTexels) {
     const DepthMap map = noiseMap(90, 70, WrapMode::Mirror, 5);
     std::size_t texels = 0;
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const auto build = [&] {
         return buildDistanceVolume(map, 3, kScale, [&](std::size_t done) { texels += done; });
     };
-    const std::vector<Plane> one = build(1);
+    const std::vector<Plane> one = onThreads(1, build);
     EXPECT_EQ(texels, 90u * 70u);
-    const std::vector<Plane> two = build(2);
+    const std::vector<Plane> two = onThreads(2, build);
     for (std::size_t k = 0; k < 3; ++k)
         EXPECT_EQ(one[k].texels, two[k].texels);
 }

@@ -1,14 +1,14 @@
 #include "preprocess/horizon_map.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/bilinear.h"
 
 namespace relievo::preprocess {
@@ -19,15 +19,6 @@ using textures::Plane;
 using textures::WrapMode;
 
 constexpr WrapMode kWraps[] = {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp};
-
-DepthMap hills(int width, int height, WrapMode wrap, double aspect = 1.0) {
-    DepthMap map{Plane(width, height), wrap, aspect};
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i)
-            map.depth.at(i, j) =
-                static_cast<float>(0.5 + 0.45 * std::sin(0.35 * i + 0.2) * std::cos(0.5 * j));
-    return map;
-}
 
 // The horizon of the place (x,y), in texels, by small steps along the azimuth for `reach` texels
 // along the axis that is nearer to it.
@@ -99,7 +90,7 @@ TEST(HorizonMap, IsNeverBelowTheSurfaceAlongDiagonalsAndNearIt) {
             EXPECT_EQ(comparison.below, 0) << wrapModeName(wrap) << " " << width;
             EXPECT_LT(comparison.sum, 1.25 * comparison.truths) << "of noise";
         }
-        const DepthMap smooth = hills(36, 25, wrap);
+        const DepthMap smooth = hillMap(36, 25, wrap);
         const Comparison comparison = alongDiagonals(smooth, smooth);
         EXPECT_EQ(comparison.below, 0) << wrapModeName(wrap);
         EXPECT_LT(comparison.sum, 1.03 * comparison.truths);
@@ -120,7 +111,7 @@ TEST(HorizonMap, OfAnotherWrapModeOrReliefIsCaught) {
 TEST(HorizonMap, IsInterpolatedForOtherAzimuths) {
     for (const WrapMode wrap : kWraps)
         for (const double aspect : {1.0, 0.4}) {
-            const DepthMap map = hills(26, 19, wrap, aspect);
+            const DepthMap map = hillMap(26, 19, wrap, aspect);
             for (const int k : {1, 4, 7, 12}) {
                 const double azimuth = azimuthOf(k, 17);
                 const double x = std::cos(azimuth);
@@ -167,10 +158,7 @@ TEST(HorizonMap, OfAStepIsItsHeightOverTheDistance) {
 
 TEST(HorizonMap, IsThatOfTheMosaic) {
     const DepthMap map = noiseMap(11, 11, WrapMode::Repeat, 9);
-    DepthMap mosaic{Plane(33, 33), WrapMode::Repeat};
-    for (int j = 0; j < 33; ++j)
-        for (int i = 0; i < 33; ++i)
-            mosaic.depth.at(i, j) = map.at(i, j);
+    const DepthMap mosaic = mosaicOf(map, 1);
     for (int k = 0; k < 8; ++k) {
         const Plane horizon = buildHorizon(map, azimuthOf(k, 8));
         const Plane wide = buildHorizon(mosaic, azimuthOf(k, 8));
@@ -182,11 +170,8 @@ TEST(HorizonMap, IsThatOfTheMosaic) {
 
 TEST(HorizonMap, IsTheSameForOneAndTwoThreads) {
     const DepthMap map = noiseMap(90, 70, WrapMode::Mirror, 5);
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildHorizon(map, 1.0).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
+    const auto build = [&] { return buildHorizon(map, 1.0).texels; };
+    EXPECT_EQ(onThreads(1, build), onThreads(2, build));
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "preprocess/quick_cones.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -86,17 +84,6 @@ TEST(QuickCones, AreCaughtWhenTheyForgetToRepeat) {
     const Plane ratio = buildQuickCones(map);
     map.wrap = WrapMode::Repeat;
     EXPECT_GT(countUnsafe(ratio, map), 0u);
-}
-
-TEST(QuickCones, AreTheSameBytesForOneAndTwoThreadsAndSayHowFarTheyAre) {
-    const DepthMap map = textures::generateSampleRelief("cobbles", 70, 50);
-    std::atomic<std::size_t> done{0};
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildQuickCones(map, [&](std::size_t texels) { done += texels; }).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
-    EXPECT_EQ(done, 2u * 70u * 50u);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -104,13 +103,6 @@ TEST(RelaxedConesByMaxima, ReachAcrossACrestThatSlopes) {
     };
     EXPECT_GT(countReachingAcross(buildRelaxedConesByMaxima(map)), 500u);
     EXPECT_EQ(countReachingAcross(buildConesBySquares(map)), 0u);
-}
-
-TEST(RelaxedConesByMaxima, SayHowFarTheyAre) {
-    const DepthMap map = noiseMap(31, 7, WrapMode::Clamp, 1);
-    std::atomic<std::size_t> done{0};
-    buildRelaxedConesByMaxima(map, 10, [&](std::size_t texels) { done += texels; });
-    EXPECT_EQ(done, 31u * 7u);
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #include "preprocess/relaxed_cones_policarpo.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 
 #include "preprocess/cones_by_squares.h"
@@ -61,15 +59,6 @@ TEST(RelaxedConesByRays, FollowTheShapeOfTexels) {
     EXPECT_LE(ratio.at(0, 10), 0.5f * 21);
 }
 
-TEST(RelaxedConesByRays, AreUnlimitedWithoutAnythingHigher) {
-    for (const WrapMode wrap : {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp})
-        for (const float depth : {0.0f, 0.5f, 1.0f}) {
-            const Plane ratio = buildRelaxedConesByRays({Plane(7, 5, depth), wrap});
-            EXPECT_EQ(*std::min_element(ratio.texels.begin(), ratio.texels.end()), kInfinity);
-        }
-    EXPECT_EQ(buildRelaxedConesByRays({Plane(1, 1, 0.4f), WrapMode::Repeat}).at(0, 0), kInfinity);
-}
-
 TEST(RelaxedConesByRays, AreWiderThanConservativeOnesOnTheWhole) {
     for (const char* const name : {"noise", "blocks"}) {
         const DepthMap map = textures::generateSampleRelief(name, 24, 20);
@@ -95,17 +84,6 @@ TEST(RelaxedConesByRays, MissASlopeThatGrazingRaysComeOutOf) {
     const float widest = 13.4f / 31 / (1.0f - 0.5f);
     EXPECT_GT(buildRelaxedConesByRays(map).at(0, 0), widest);
     EXPECT_LT(buildConesBySquares(map).at(0, 0), widest);
-}
-
-TEST(RelaxedConesByRays, AreTheSameBytesForOneAndTwoThreadsAndSayHowFarTheyAre) {
-    const DepthMap map = textures::generateSampleRelief("cobbles", 20, 14);
-    std::atomic<std::size_t> done{0};
-    const auto build = [&](std::size_t threads) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        return buildRelaxedConesByRays(map, [&](std::size_t texels) { done += texels; }).texels;
-    };
-    EXPECT_EQ(build(1), build(2));
-    EXPECT_EQ(done, 2u * 20u * 14u);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "preprocess/depth_pyramid.h"
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::preprocess {

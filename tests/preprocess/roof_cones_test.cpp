@@ -1,7 +1,6 @@
 #include "preprocess/roof_cones.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +9,8 @@
 #include <vector>
 
 #include "reference/guarantee_check.h"
-#include "tests/preprocess/cone_oracle.h"
+#include "tests/preprocess/small_reliefs.h"
+#include "tests/preprocess/thread_limit.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::preprocess {
@@ -158,10 +158,10 @@ TEST(RoofCones, AreTheSameBytesForOneAndTwoThreadsAndSayHowFarTheyAre) {
     std::vector<std::vector<float>> ratios;
     std::atomic<std::size_t> done{0};
     for (const std::size_t threads : {1u, 2u}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-        ratios.push_back(
-            buildRoofCones(map, {.sectors = 4}, [&](std::size_t cells) { done += cells; })[2]
-                .ratio.texels);
+        ratios.push_back(onThreads(threads, [&] {
+            return buildRoofCones(map, {.sectors = 4}, [&](std::size_t cells) { done += cells; })[2]
+                .ratio.texels;
+        }));
     }
     EXPECT_EQ(ratios[0], ratios[1]);
     EXPECT_EQ(done, 2u * 4u * 100u * 70u);
