@@ -91,12 +91,12 @@ class SquareSearch {
 }  // namespace
 
 textures::Plane buildConesBySquares(const textures::DepthMap& map,
-                                    const std::function<void(std::size_t)>& advance) {
-    textures::Plane ratio(map.width(), map.height());
-    tbb::parallel_for(0, map.height(), [&](int j) {
+                                    const std::function<void(std::size_t)>& advance, int rowStep) {
+    textures::Plane ratio(map.width(), (map.height() + rowStep - 1) / rowStep);
+    tbb::parallel_for(0, ratio.height, [&](int row) {
         for (int i = 0; i < map.width(); ++i) {
-            const double texels = std::sqrt(SquareSearch(map, i, j).search());
-            ratio.at(i, j) = roundDown(belowRounding(texels / map.width()));
+            const double texels = std::sqrt(SquareSearch(map, i, row * rowStep).search());
+            ratio.at(i, row) = roundDown(belowRounding(texels / map.width()));
         }
         if (advance)
             advance(static_cast<std::size_t>(map.width()));

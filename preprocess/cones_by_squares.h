@@ -15,7 +15,11 @@ namespace relievo::preprocess {
 /// and quadratic where cones are wide: a baseline for small maps.
 ///
 /// Units, rounding, unlimited cones and `advance` are those of buildConservativeCones.
+///
+/// With a `rowStep` above 1 only every rowStep-th row is built, from the first on, and the result
+/// has no more rows than that: a sample, of maps that would take too long.
 textures::Plane buildConesBySquares(const textures::DepthMap& map,
-                                    const std::function<void(std::size_t)>& advance = {});
+                                    const std::function<void(std::size_t)>& advance = {},
+                                    int rowStep = 1);
 
 }  // namespace relievo::preprocess

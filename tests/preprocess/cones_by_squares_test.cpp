@@ -52,6 +52,18 @@ TEST(ConesBySquares, FollowTheShapeOfTexels) {
     EXPECT_NE(buildConesBySquares(forgotten).texels, ratio.texels);
 }
 
+TEST(ConesBySquares, OfSomeRowsAreThoseOfAllRows) {
+    const DepthMap map = noiseMap(13, 20, WrapMode::Repeat, 2);
+    const Plane all = buildConesBySquares(map);
+    for (const int step : {2, 3, 7, 20, 21}) {
+        const Plane some = buildConesBySquares(map, {}, step);
+        ASSERT_EQ(some.height, (20 + step - 1) / step);
+        for (int row = 0; row < some.height; ++row)
+            for (int i = 0; i < 13; ++i)
+                EXPECT_EQ(some.at(i, row), all.at(i, row * step)) << step << " " << row;
+    }
+}
+
 TEST(ConesBySquares, AreCaughtWhenTheyForgetToRepeat) {
     DepthMap map = noiseMap(20, 29, WrapMode::Clamp, 7);
     const Plane ratio = buildConesBySquares(map);
