@@ -35,6 +35,8 @@ struct TexelLeaves {
     float aspect;
 
     [[nodiscard]] static float correction(float) { return 0.0f; }
+    // Where the growth vanishes the twist of a cell decides.
+    static constexpr bool kMayTwist = true;
     [[nodiscard]] float least(int i, int j) const { return depths.at(i + 1, j + 1); }
 
     // The depth grows after the texel by the gradient of the cell there, which is another one on
@@ -75,6 +77,7 @@ struct CellLeaves {
     float aspect;
 
     [[nodiscard]] static float correction(float aspect) { return 0.5f * (1.0f + aspect * aspect); }
+    static constexpr bool kMayTwist = false;
     [[nodiscard]] GradientBox gradients(int i, int j) const {
         const float* const first = depths.texels.data() + depths.index(i, j);
         const float* const below = first + depths.width;
@@ -114,10 +117,35 @@ struct CellLeaves {
     }
 };
 
+// The least depth of a node's leaves where a ray along a direction of the range may come out: one
+// lane for each sector.
+inline float leastTowards(const CrestTree::Node& node, const DirectionRange& range) {
+    using Octet = float __attribute__((vector_size(32)));
+    using OctetMask = std::int32_t __attribute__((vector_size(32)));
+    const Octet ends = {range.dxFirst, range.dxLast, -range.dxFirst, -range.dxLast,
+                        range.dyFirst, range.dyLast, -range.dyFirst, -range.dyLast};
+    // How far the range goes at most in each quadrant, along x and y.
+    const Octet farX = __builtin_shuffle(ends, OctetMask{1, 1, 2, 2, 1, 1, 2, 2});
+    const Octet farY = __builtin_shuffle(ends, OctetMask{5, 5, 5, 5, 6, 6, 6, 6});
+    // And along the axis that the sector is nearer to, beside the least along the other one.
+    const Octet most = __builtin_shuffle(ends, OctetMask{1, 5, 2, 5, 1, 6, 2, 6});
+    const Octet least = __builtin_shuffle(ends, OctetMask{4, 0, 4, 3, 7, 0, 7, 3});
+    const OctetMask reached = (farX >= Octet{}) & (farY >= Octet{}) & (most >= least);
+    Octet depths;
+    std::memcpy(&depths, node.least.data(), sizeof(depths));
+    depths = reached ? depths : Octet{} + std::numeric_limits<float>::infinity();
+    float result = depths[0];
+    for (int k = 1; k < kSectors; ++k)
+        result = std::min(result, depths[k]);
+    return result;
+}
+
 // The leaves of a node along one axis, in texels, and how far they are from the apexes.
 struct CrestSpan {
     float first;
     float last;
+    Lanes toFirst;  // least and most steps from the apexes
+    Lanes toLast;
     Lanes gaps;
     float leastGap;
 };
@@ -151,7 +179,7 @@ class CrestTraversal {
             placeApexes(packet);
             for (const Place& seed : seeds)
                 if (seed.reflection == reflection)
-                    tryLeaf(seed);
+                    trySeed(seed);
             roundSlopes();
             searchCopies(-1, 1);
             searchCopies(1, farthestCopy());
@@ -188,17 +216,20 @@ class CrestTraversal {
         const int end = std::min((i + 1) << level, leaves);
         const float first = Leaves::kOrigin + static_cast<float>(copy + (i << level));
         const float last = Leaves::kOrigin + static_cast<float>(copy + end - 1) + Leaves::kSize;
-        return {first, last,
-                larger(larger(first - positions, positions - last) - Leaves::kHalfSide, Lanes{}),
+        const Lanes toFirst = first - positions - Leaves::kHalfSide;
+        const Lanes toLast = last - positions + Leaves::kHalfSide;
+        return {first,
+                last,
+                toFirst,
+                toLast,
+                larger(larger(toFirst, -toLast), Lanes{}),
                 std::max(std::max(first - high, low - last), 0.0f)};
     }
-    [[nodiscard]] CrestSpan columns(int level, const Place& place) const {
-        return spanOf(level, place.i, tree_.columns, place.copyI, apexes_.x, apexes_.left,
-                      apexes_.right);
+    [[nodiscard]] CrestSpan columns(int level, int i, const Place& place) const {
+        return spanOf(level, i, tree_.columns, place.copyI, apexes_.x, apexes_.left, apexes_.right);
     }
-    [[nodiscard]] CrestSpan rows(int level, const Place& place) const {
-        return spanOf(level, place.j, tree_.rows, place.copyJ, apexes_.y, apexes_.top,
-                      apexes_.bottom);
+    [[nodiscard]] CrestSpan rows(int level, int j, const Place& place) const {
+        return spanOf(level, j, tree_.rows, place.copyJ, apexes_.y, apexes_.top, apexes_.bottom);
     }
 
     // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
@@ -208,6 +239,17 @@ class CrestTraversal {
         const Lanes square = x.gaps * x.gaps + down * down - correction_;
         const Lanes difference = larger(apexes_.deepest - least, Lanes{});
         return difference * difference > limit_ * square;
+    }
+
+    // Whether the depth may grow by a gradient of the box over a step from some apex.
+    [[nodiscard]] LaneMask mayDeepen(const CrestSpan& x, const CrestSpan& y,
+                                     const GradientBox& box) const {
+        const auto most = [](float low, float high, const CrestSpan& span) {
+            return larger(larger(low * span.toFirst, low * span.toLast),
+                          larger(high * span.toFirst, high * span.toLast));
+        };
+        const Lanes growth = most(box.xLeast, box.xMost, x) + most(box.yLeast, box.yMost, y);
+        return Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{};
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -224,15 +266,6 @@ class CrestTraversal {
     [[nodiscard]] DirectionRange directions(const CrestSpan& x, const CrestSpan& y) const {
         return {x.first - apexes_.right, x.last - apexes_.left, y.first - apexes_.bottom,
                 y.last - apexes_.top};
-    }
-
-    [[nodiscard]] static float leastTowards(const CrestTree::Node& node,
-                                            const DirectionRange& range) {
-        const Sectors sectors = sectorsOf(range);
-        float least = std::numeric_limits<float>::infinity();
-        for (std::size_t k = 0; k < kSectors; ++k)
-            least = (sectors >> k & 1) != 0 ? std::min(least, node.least[k]) : least;
-        return least;
     }
 
     // Sorted, the most promising on top of what was pushed since `first`.
@@ -270,11 +303,14 @@ class CrestTraversal {
         for (int b = -copiesY; b <= copiesY; ++b)
             for (int a = -copiesX; a <= copiesX; ++a)
                 if (std::max(std::abs(a), std::abs(b)) > done && isReflection(a, b))
-                    pushNode(tree_.topLevel(),
-                             {0, 0, copyStart(a, reflection_ % 2 != 0, scene_.width),
-                              copyStart(b, reflection_ / 2 != 0, scene_.height), reflection_},
-                             0);
+                    pushTop({0, 0, copyStart(a, reflection_ % 2 != 0, scene_.width),
+                             copyStart(b, reflection_ / 2 != 0, scene_.height), reflection_});
         search();
+    }
+
+    void pushTop(const Place& place) {
+        const int level = tree_.topLevel();
+        pushNode(level, place, columns(level, 0, place), rows(level, 0, place), 0);
     }
 
     void search() {
@@ -290,12 +326,12 @@ class CrestTraversal {
         }
     }
 
-    void pushNode(int level, const Place& place, std::size_t first) {
-        const CrestSpan x = columns(level, place);
-        const CrestSpan y = rows(level, place);
+    void pushNode(int level, const Place& place, const CrestSpan& x, const CrestSpan& y,
+                  std::size_t first) {
         const CrestTree::Node& node = tree_.node(level, place.i, place.j);
         const DirectionRange range = directions(x, y);
-        if (!(mostGrowth(node.gradients, range) > 0.0f))
+        const float growth = mostGrowth(node.gradients, range);
+        if (!(Leaves::kMayTwist ? growth >= 0.0f : growth > 0.0f))
             return;
         const float least = leastTowards(node, range);
         if (!(least < apexes_.greatestDepth))
@@ -304,40 +340,47 @@ class CrestTraversal {
         if (bound <= leastLimit_)
             return;
         ++statistics_.nodes;
-        if (anyLane(mayRise(x, y, least)))
+        const LaneMask rise = mayRise(x, y, least);
+        if (anyLane(rise) && anyLane(rise & mayDeepen(x, y, node.gradients)))
             push({level, place, bound}, first);
+    }
+
+    // Calls visit(place, x, y) for the four parts of a node, those at `level`.
+    template <typename Visit>
+    void forEachPart(const Place& place, int level, int columnsThere, int rowsThere,
+                     const Visit& visit) const {
+        const int left = 2 * place.i;
+        const int top = 2 * place.j;
+        const CrestSpan x[2] = {columns(level, left, place), columns(level, left + 1, place)};
+        const CrestSpan y[2] = {rows(level, top, place), rows(level, top + 1, place)};
+        for (int b = 0; b < 2 && top + b < rowsThere; ++b)
+            for (int a = 0; a < 2 && left + a < columnsThere; ++a)
+                visit(Place{left + a, top + b, place.copyI, place.copyJ, place.reflection}, x[a],
+                      y[b]);
     }
 
     void pushChildren(const Node& parent) {
         const int level = parent.level - 1;
-        const int right = std::min(2 * parent.place.i + 2, tree_.columnsAt(level));
-        const int bottom = std::min(2 * parent.place.j + 2, tree_.rowsAt(level));
         const std::size_t first = stack_.size();
-        for (int j = 2 * parent.place.j; j < bottom; ++j)
-            for (int i = 2 * parent.place.i; i < right; ++i) {
-                Place place = parent.place;
-                place.i = i;
-                place.j = j;
-                pushNode(level, place, first);
-            }
+        forEachPart(parent.place, level, tree_.columnsAt(level), tree_.rowsAt(level),
+                    [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
+                        pushNode(level, place, x, y, first);
+                    });
     }
 
     void tryChildren(const Place& parent) {
-        const int right = std::min(2 * parent.i + 2, tree_.columns);
-        const int bottom = std::min(2 * parent.j + 2, tree_.rows);
-        for (int j = 2 * parent.j; j < bottom; ++j)
-            for (int i = 2 * parent.i; i < right; ++i) {
-                Place place = parent;
-                place.i = i;
-                place.j = j;
-                tryLeaf(place);
-            }
+        forEachPart(parent, 0, tree_.columns, tree_.rows,
+                    [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
+                        tryLeaf(place, x, y);
+                    });
         roundSlopes();
     }
 
-    void tryLeaf(const Place& place) {
-        const CrestSpan x = columns(0, place);
-        const CrestSpan y = rows(0, place);
+    void trySeed(const Place& place) {
+        tryLeaf(place, columns(0, place.i, place), rows(0, place.j, place));
+    }
+
+    void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y) {
         LaneMask open = mayRise(x, y, leaves_.least(place.i, place.j));
         if constexpr (Leaves::kReach >= 0) {
             const Lanes beforeX = x.first - apexes_.x;
@@ -350,7 +393,7 @@ class CrestTraversal {
         if (!anyLane(open))
             return;
         if constexpr (Leaves::kSize > 0.0f)
-            if (!(mostGrowth(leaves_.gradients(place.i, place.j), directions(x, y)) > 0.0f))
+            if (!anyLane(open &= mayDeepen(x, y, leaves_.gradients(place.i, place.j))))
                 return;
         ++statistics_.samples;
         const Lanes found = leaves_.steepest(apexes_, place.i, place.j, x.first, y.first);

@@ -13,17 +13,6 @@ constexpr Sectors sectorBit(int quadrant, int steep) {
     return static_cast<Sectors>(1 << (2 * quadrant + steep));
 }
 
-// The part of [first,last] on one side of 0, from there outwards.
-struct Extent {
-    float least;
-    float most;
-    [[nodiscard]] bool exists() const { return most >= 0.0f; }
-};
-
-Extent extentOf(float first, float last, bool negative) {
-    return negative ? Extent{std::max(-last, 0.0f), -first} : Extent{std::max(first, 0.0f), last};
-}
-
 // The sectors of one quadrant where the depth grows: along one of the two directions that bound the
 // sector, of which all others are sums.
 Sectors deepeningOf(int quadrant, float alongX, float alongY) {
@@ -69,24 +58,15 @@ CrestTree::Node nodeOf(const CrestTree& tree, int level, int i, int j) {
     return node;
 }
 
-// The gradients at a texel in the four cells around it. A twist that deepens where they vanish is
-// not among them: it is added, along the direction across.
+// The gradients at a texel in the four cells around it. Where they vanish a twist may deepen: the
+// growth by gradients is not negative there.
 GradientBox gradientsAtTexel(const Plane& depths, int i, int j) {
     const float here = depths.at(i, j);
     const auto [xLeast, xMost] =
         std::minmax({depths.at(i + 1, j) - here, here - depths.at(i - 1, j)});
     const auto [yLeast, yMost] =
         std::minmax({depths.at(i, j + 1) - here, here - depths.at(i, j - 1)});
-    GradientBox box{xLeast, xMost, yLeast, yMost};
-    for (const int y : {j - 1, j + 1})
-        for (const int x : {i - 1, i + 1})
-            if (depths.at(x, y) > here) {
-                const auto across = static_cast<float>(x - i);
-                const float twist = depths.at(x, y) - here;
-                box.xLeast = std::min(box.xLeast, across * twist);
-                box.xMost = std::max(box.xMost, across * twist);
-            }
-    return box;
+    return {xLeast, xMost, yLeast, yMost};
 }
 
 // Along each quadrant the gradient at the texel is that of the cell there; where it vanishes the
@@ -107,21 +87,6 @@ Sectors sectorsAtTexel(const Plane& depths, int i, int j) {
 }
 
 }  // namespace
-
-Sectors sectorsOf(const DirectionRange& range) noexcept {
-    Sectors sectors = 0;
-    for (int quadrant = 0; quadrant < 4; ++quadrant) {
-        const Extent x = extentOf(range.dxFirst, range.dxLast, quadrant % 2 != 0);
-        const Extent y = extentOf(range.dyFirst, range.dyLast, quadrant / 2 != 0);
-        if (!x.exists() || !y.exists())
-            continue;
-        if (x.most >= y.least)
-            sectors |= sectorBit(quadrant, 0);
-        if (y.most >= x.least)
-            sectors |= sectorBit(quadrant, 1);
-    }
-    return sectors;
-}
 
 Sectors sectorsThatDeepen(const GradientBox& gradients) noexcept {
     Sectors sectors = 0;

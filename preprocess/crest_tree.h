@@ -16,7 +16,6 @@ namespace relievo::preprocess {
 /// 2·quadrant + steep, quadrant (dx<0) + 2·(dy<0), steep where |dy| ≥ |dx|. Sets are bit masks.
 using Sectors = std::uint8_t;
 inline constexpr int kSectors = 8;
-inline constexpr Sectors kAllSectors = 0xff;
 
 /// Directions from the points of a rectangle to those of another: dx in [dxFirst,dxLast] and dy
 /// likewise, in texels.
@@ -26,9 +25,6 @@ struct DirectionRange {
     float dyFirst;
     float dyLast;
 };
-
-/// All sectors that directions of a range lie in.
-Sectors sectorsOf(const DirectionRange& range) noexcept;
 
 /// Gradients of a bilinear cell are a box: depth per texel along both axes.
 struct GradientBox {

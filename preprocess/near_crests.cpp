@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "preprocess/lanes.h"
 #include "preprocess/processor.h"
@@ -16,7 +18,7 @@ constexpr int kCells = 2 * kReach + 2;  // in a row
 // Bounds within this of what a chord attains are accepted.
 constexpr float kAccepted = 1.05f;
 constexpr float kLeastSide = 0.125f;
-constexpr int kMostPairs = 2000;
+constexpr int kMostPairs = 512;
 
 }  // namespace
 }  // namespace relievo::preprocess
@@ -49,7 +51,7 @@ void NearCrests::findAttained(BlockValues& slopes) const {
 }
 
 void NearCrests::refine(int width, int height, BlockValues& slopes) {
-    RELIEVO_CALL_KERNEL(refineNearCrests, surface_, stack_, pairs_, width, height, slopes);
+    RELIEVO_CALL_KERNEL(refineNearCrests, surface_, open_, pairs_, width, height, slopes);
 }
 
 }  // namespace relievo::preprocess

@@ -43,16 +43,23 @@ class NearCrests {
 
     /// A square part of a bilinear cell.
     struct Piece {
-        float x;  ///< its first corner, in texels from the centre of the texel
-        float y;
+        int cell;  ///< the place of the cell's first corner in Surroundings::depths
+        float u;   ///< the piece's first corner, in the cell
+        float v;
         float side;
-        int cellX;  ///< the cell's first corner
-        int cellY;
     };
     struct Pair {
         Piece from;
         Piece to;
-        float bound;  ///< squared
+        float stepX;  ///< cells from the one to the other
+        float stepY;
+        int texel;  ///< of those that are searched together
+    };
+    /// Pairs that wait.
+    struct OpenPairs {
+        std::vector<Pair> pairs;
+        std::vector<float> bounds;  ///< squared
+        std::vector<Pair> halves;
     };
     /// The surface around a block.
     struct Surroundings {
@@ -67,7 +74,7 @@ class NearCrests {
 
   private:
     Surroundings surface_;
-    std::vector<Pair> stack_;
+    OpenPairs open_;
     std::uint64_t pairs_ = 0;
 };
 

@@ -1,77 +1,19 @@
-// The bounds of near_crests.h, compiled for each generation of processors: see
+// The search of near_crests.h, compiled for each generation of processors: see
 // for_each_processor.h, which is why there is no include guard.
 
-#include "preprocess/square_to_cell_kernel.h"
+#include "preprocess/crest_pairs_kernel.h"
 
-using Piece = NearCrests::Piece;
-using Pair = NearCrests::Pair;
-using Surroundings = NearCrests::Surroundings;
-
-template <typename Number>
-constexpr Number squareOf(Number value) {
-    return value * value;
-}
-
-// --- Sixteen texels at once: which cells matter ------------------------------------------------
-
-// The nine depths of sixteen texels' squares every half texel.
-struct SquareDepths {
-    Lanes at[3][3];  // [y][x]
-};
-
-inline SquareDepths squareDepths(const float* texel) {
-    SquareDepths depths;
-    const auto mean = [&](int x, int y) {
-        const std::ptrdiff_t across = x;
-        const std::ptrdiff_t down = static_cast<std::ptrdiff_t>(y) * Surroundings::kSide;
-        return (loadLanes(texel) + loadLanes(texel + across) + loadLanes(texel + down) +
-                loadLanes(texel + across + down)) *
-               0.25f;
-    };
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            depths.at[y + 1][x + 1] = mean(x, y);
-    return depths;
-}
-
-// Corners of a bilinear patch that is nowhere above the surface: the plane through the middles of
-// the sides, lowered to the nine depths, of which pieces between are means.
-inline void squareCorners(const SquareDepths& depths, Lanes corners[4]) {
-    const Lanes slopeX = depths.at[1][2] - depths.at[1][0];
-    const Lanes slopeY = depths.at[2][1] - depths.at[0][1];
-    Lanes base = depths.at[1][1];
-    for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 3; ++x)
-            base = larger(base, depths.at[y][x] - slopeX * (0.5f * static_cast<float>(x - 1)) -
-                                    slopeY * (0.5f * static_cast<float>(y - 1)));
-    for (int k = 0; k < 4; ++k)
-        corners[k] =
-            base + slopeX * (k % 2 == 0 ? -0.5f : 0.5f) + slopeY * (k / 2 == 0 ? -0.5f : 0.5f);
-}
+using OpenPairs = NearCrests::OpenPairs;
 
 [[gnu::flatten]] inline void findSquareDepths(const Surroundings& surface,
                                               std::array<BlockValues, 4>& depth) {
     for (int j = 0; j < kBlockSize; ++j)
         for (int i = 0; i < kBlockSize; i += kLanes) {
-            Lanes corners[4];
-            squareCorners(squareDepths(surface.texel(i, j)), corners);
+            const Squares squares = squaresAt(surface, i, j);
             for (std::size_t k = 0; k < 4; ++k)
-                storeLanes(corners[k], &depth[k][blockIndex(i, j)]);
+                storeLanes(squares.patch[k], &depth[k][blockIndex(i, j)]);
         }
 }
-
-// Sixteen cells, each at the same place beside its texel.
-struct CellLanes {
-    Lanes depth[4];
-
-    CellLanes(const float* texel, int x, int y) {
-        const float* const cell = texel + y * Surroundings::kSide + x;
-        depth[0] = loadLanes(cell);
-        depth[1] = loadLanes(cell + 1);
-        depth[2] = loadLanes(cell + Surroundings::kSide);
-        depth[3] = loadLanes(cell + Surroundings::kSide + 1);
-    }
-};
 
 // Cells from −kBeside−1 to kBeside beside a texel are too near to its square for chords between
 // corners: the square's four quarters are looked at one by one.
@@ -80,19 +22,12 @@ inline bool isBeside(int x, int y) {
     return x >= -kBeside - 1 && x <= kBeside && y >= -kBeside - 1 && y <= kBeside;
 }
 
-// Sixteen squares of texels beside each other.
-struct Squares {
-    const float* texel;
-    float aspect;
-    SquareDepths depths;
-    Lanes patch[4];  // depths at the corners of a patch that is nowhere above the surface
-};
-
-inline Squares squaresAt(const Surroundings& surface, int i, int j) {
-    const float* const texel = surface.texel(i, j);
-    Squares squares{texel, surface.aspect, squareDepths(texel), {}};
-    squareCorners(squares.depths, squares.patch);
-    return squares;
+// Calls visit(x, y) for the cells around a texel.
+template <typename Visit>
+void forEachCell(const Visit& visit) {
+    for (int y = -kReach - 1; y <= kReach; ++y)
+        for (int x = -kReach - 1; x <= kReach; ++x)
+            visit(x, y);
 }
 
 // One over a squared length, from which a correction was taken.
@@ -104,9 +39,11 @@ inline float reciprocal(float square) {
 inline void reciprocals(const CornerSteps<float>& across, const CornerSteps<float>& down,
                         float aspect, float correction, float perSquare[3][3]) {
     for (int b = 0; b < 3; ++b)
-        for (int a = 0; a < 3; ++a)
+        for (int a = 0; a < 3; ++a) {
+            const float height = down.at[b] * aspect;
             perSquare[b][a] =
-                reciprocal(squareOf(across.at[a]) + squareOf(down.at[b] * aspect) - correction);
+                reciprocal(across.at[a] * across.at[a] + height * height - correction);
+        }
 }
 
 // The squares of the slopes of the steepest chords from corners of squares to corners of cells
@@ -132,12 +69,27 @@ inline Lanes attainedBetween(const Squares& squares, const CellLanes& cell, int 
     return steepest;
 }
 
+[[gnu::flatten]] inline void findAttained(const Surroundings& surface, BlockValues& slopes) {
+    for (int j = 0; j < kBlockSize; ++j)
+        for (int i = 0; i < kBlockSize; i += kLanes) {
+            const Squares squares = squaresAt(surface, i, j);
+            Lanes steepest{};
+            forEachCell([&](int x, int y) {
+                steepest = larger(steepest,
+                                  attainedBetween(squares, CellLanes(squares.texel, x, y), x, y));
+            });
+            storeLanes(squareRoots(steepest), &slopes[blockIndex(i, j)]);
+        }
+}
+
 // The squares of bounds on the slopes of chords from squares to cells that do not touch them.
-inline Lanes boundBetween(const Squares& squares, const CellLanes& cell, int x, int y) {
+inline Lanes boundBetween(const Squares& squares, int x, int y) {
+    const CellLanes cell(squares.texel, x, y);
     const CornerSteps<float> across = cornerSteps(static_cast<float>(x));
     const CornerSteps<float> down = cornerSteps(static_cast<float>(y));
     float perSquare[3][3];
-    reciprocals(across, down, squares.aspect, 0.5f * (1.0f + squareOf(squares.aspect)), perSquare);
+    reciprocals(across, down, squares.aspect, 0.5f * (1.0f + squares.aspect * squares.aspect),
+                perSquare);
     const SquareToCell pair = squareToCell(squares.patch, across, down, cell.depth);
     Lanes chords{};
     Lanes tangents{};
@@ -150,90 +102,47 @@ inline Lanes boundBetween(const Squares& squares, const CellLanes& cell, int x, 
     return pair.growth > Lanes{} ? smaller(chords, tangents) : Lanes{};
 }
 
-// Gradients of sixteen cells on their sides, in depth per texel width: along x on the upper and the
-// lower side, along y on the left and the right one.
-struct SideGradients {
-    Lanes x[2];
-    Lanes y[2];
+// The least box around gradients, in the metric.
+struct GradientHull {
+    Lanes leastX = splat(kUnbounded);
+    Lanes mostX = splat(-kUnbounded);
+    Lanes leastY = splat(kUnbounded);
+    Lanes mostY = splat(-kUnbounded);
 
-    SideGradients(const CellLanes& cell, float aspect)
-        : x{cell.depth[1] - cell.depth[0], cell.depth[3] - cell.depth[2]},
-          y{(cell.depth[2] - cell.depth[0]) / aspect, (cell.depth[3] - cell.depth[1]) / aspect} {}
-
-    // Of a part of the cells: −1 the first half along an axis, 1 the second, 0 all.
-    [[nodiscard]] SideGradients part(int halfX, int halfY) const {
-        SideGradients result = *this;
-        if (halfY != 0)
-            result.x[halfY < 0 ? 1 : 0] = (x[0] + x[1]) * 0.5f;
-        if (halfX != 0)
-            result.y[halfX < 0 ? 1 : 0] = (y[0] + y[1]) * 0.5f;
-        return result;
+    void add(const CellLanes& cell, float aspect) {
+        const Lanes x[2] = {cell.depth[1] - cell.depth[0], cell.depth[3] - cell.depth[2]};
+        const Lanes y[2] = {(cell.depth[2] - cell.depth[0]) / aspect,
+                            (cell.depth[3] - cell.depth[1]) / aspect};
+        leastX = smaller(leastX, smaller(x[0], x[1]));
+        mostX = larger(mostX, larger(x[0], x[1]));
+        leastY = smaller(leastY, smaller(y[0], y[1]));
+        mostY = larger(mostY, larger(y[0], y[1]));
+    }
+    // The square of how far they differ at most. No chord among them along which a ray comes out
+    // is steeper: its slope is a mean of −∇D·e, which is at most (∇D(y) − ∇D)·e at its end y.
+    [[nodiscard]] Lanes difference() const {
+        return squareOf(mostX - leastX) + squareOf(mostY - leastY);
     }
 };
 
-// The bound by gradients (near_crests.h), squared: those of `path` may lie on a chord, it ends
-// among those of `end`.
-inline Lanes boundByGradients(const SideGradients& path, const SideGradients& end) {
-    Lanes steepest{};
-    for (int l = 0; l < 4; ++l) {
-        const Lanes bx = end.x[l % 2];
-        const Lanes by = end.y[l / 2];
-        const Lanes square = bx * bx + by * by;
-        const LaneMask grows = square > splat(1e-30f);
-        const Lanes perSquare = 1.0f / (grows ? square : splat(1.0f));
-        for (int k = 0; k < 4; ++k) {
-            const Lanes ax = path.x[k % 2];
-            const Lanes ay = path.y[k / 2];
-            const Lanes along = ax * bx + ay * by;
-            const Lanes across = ax * by - ay * bx;
-            const Lanes slope = along <= Lanes{} ? ax * ax + ay * ay : across * across * perSquare;
-            steepest = larger(steepest, grows ? slope : Lanes{});
-        }
-    }
-    return steepest;
+// The gradients in the cells from (left,top) to (right,bottom).
+inline Lanes gradientDifference(const Squares& squares, int left, int top, int right, int bottom) {
+    GradientHull hull;
+    for (int y = top; y <= bottom; ++y)
+        for (int x = left; x <= right; ++x)
+            hull.add(CellLanes(squares.texel, x, y), squares.aspect);
+    return hull.difference();
 }
 
-// Which half of the cell of a quarter, −1 or 0 along an axis, chords from the quarter to cell `to`
-// cross (SideGradients::part). The quarter is the half that is nearer to the texel's centre: across
-// the centre the way leads through it alone, the other way through all of the cell.
-constexpr int halfOnTheWay(int own, int to) {
-    if ((own < 0) != (to > own))
-        return 0;
-    return own < 0 ? 1 : -1;
-}
-
-// The same for the chords from a quarter of each square to a cell that is the quarter's or beside
-// it: they stay in the rectangle around both.
-inline Lanes quarterBoundByGradients(const Squares& squares, int quarter, int x, int y) {
-    const int ownX = quarter % 2 - 1;
-    const int ownY = quarter / 2 - 1;
-    const SideGradients end(CellLanes(squares.texel, x, y), squares.aspect);
-    Lanes steepest = boundByGradients(end, end);
-    const auto add = [&](int cellX, int cellY) {
-        const SideGradients cell(CellLanes(squares.texel, cellX, cellY), squares.aspect);
-        const SideGradients path = cell.part(cellX == x ? 0 : halfOnTheWay(ownX, x),
-                                             cellY == y ? 0 : halfOnTheWay(ownY, y));
-        steepest = larger(steepest, boundByGradients(path, end));
-    };
-    if (x != ownX)
-        add(ownX, y);
-    if (y != ownY)
-        add(x, ownY);
-    if (x != ownX && y != ownY)
-        add(ownX, ownY);
-    return steepest;
-}
-
-// The squares of bounds on the slopes of chords from a quarter of each square to a cell, and of the
-// slopes that chords between corners attain.
-inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y, Lanes& attained) {
+// The squares of bounds on the slopes of chords from a quarter of each square to a cell.
+inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y) {
     const int column = quarter % 2;
     const int row = quarter / 2;
     const CellLanes cell(squares.texel, x, y);
     const Lanes growthX[2] = {cell.depth[1] - cell.depth[0], cell.depth[3] - cell.depth[2]};
     const Lanes growthY[2] = {cell.depth[2] - cell.depth[0], cell.depth[3] - cell.depth[1]};
-    const float correction = 0.25f * 1.25f * (1.0f + squareOf(squares.aspect));
-    Lanes growth = Lanes{} - kUnbounded;
+    const float correction = 0.25f * 1.25f * (1.0f + squares.aspect * squares.aspect);
+    Lanes growth = splat(-kUnbounded);
     Lanes chords{};
     Lanes tangents{};
     for (int l = 0; l < 4; ++l)
@@ -242,314 +151,174 @@ inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y, Lan
                 static_cast<float>(x + l % 2) - 0.5f * static_cast<float>(column - 1 + k % 2);
             const float dy =
                 static_cast<float>(y + l / 2) - 0.5f * static_cast<float>(row - 1 + k / 2);
-            const float square = squareOf(dx) + squareOf(dy * squares.aspect);
-            const float perSquare = reciprocal(square - correction);
+            const float height = dy * squares.aspect;
+            const float perSquare = reciprocal(dx * dx + height * height - correction);
             const Lanes grows = dx * growthX[l / 2] + dy * growthY[l % 2];
             const Lanes rises = squares.depths.at[row + k / 2][column + k % 2] - cell.depth[l];
-            const Lanes chord = larger(rises, Lanes{});
-            const Lanes tangent = larger(rises + grows, Lanes{});
             growth = larger(growth, grows);
-            chords = larger(chords, chord * chord * perSquare);
-            tangents = larger(tangents, tangent * tangent * perSquare);
-            if (square > 0.0f)
-                attained =
-                    larger(attained, grows > Lanes{} ? chord * chord * (1.0f / square) : Lanes{});
+            chords = larger(chords, squareOf(larger(rises, Lanes{})) * perSquare);
+            tangents = larger(tangents, squareOf(larger(rises + grows, Lanes{})) * perSquare);
         }
     Lanes bound = smaller(chords, tangents);
-    if (std::abs(x - column + 1) <= 1 && std::abs(y - row + 1) <= 1)
-        bound = smaller(bound, quarterBoundByGradients(squares, quarter, x, y));
+    const int ownX = column - 1;
+    const int ownY = row - 1;
+    if (std::abs(x - ownX) <= 1 && std::abs(y - ownY) <= 1)
+        bound = smaller(bound, gradientDifference(squares, std::min(x, ownX), std::min(y, ownY),
+                                                  std::max(x, ownX), std::max(y, ownY)));
     return growth > Lanes{} ? bound : Lanes{};
 }
 
-[[gnu::flatten]] inline void findAttained(const Surroundings& surface, BlockValues& slopes) {
-    for (int j = 0; j < kBlockSize; ++j)
-        for (int i = 0; i < kBlockSize; i += kLanes) {
-            const Squares squares = squaresAt(surface, i, j);
-            Lanes steepest{};
-            for (int k = 0; k < kCells * kCells; ++k) {
-                const int x = k % kCells - kReach - 1;
-                const int y = k / kCells - kReach - 1;
-                steepest = larger(steepest,
-                                  attainedBetween(squares, CellLanes(squares.texel, x, y), x, y));
-            }
-            storeLanes(squareRoots(steepest), &slopes[blockIndex(i, j)]);
-        }
-}
-
-// --- One pair of pieces: its sixteen pairs of corners at once ----------------------------------
-
-// Depths and gradients of a cell: d(u,v) = origin + alongX·u + alongY·v + twist·u·v.
-struct CellSurface {
-    float origin;
-    float alongX;
-    float alongY;
-    float twist;
-};
-
-inline CellSurface cellAt(const float* texel, int x, int y) {
-    const float* const cell = texel + y * Surroundings::kSide + x;
-    const float* const below = cell + Surroundings::kSide;
-    const float alongX = cell[1] - cell[0];
-    return {cell[0], alongX, below[0] - cell[0], (below[1] - below[0]) - alongX};
-}
-
-// The cell's depths as seen from the first corner of a piece of it, in parts of the piece's side.
-inline CellSurface within(const CellSurface& cell, const Piece& piece) {
-    const float u = piece.x - static_cast<float>(piece.cellX);
-    const float v = piece.y - static_cast<float>(piece.cellY);
-    return {cell.origin + cell.alongX * u + cell.alongY * v + cell.twist * (u * v),
-            (cell.alongX + cell.twist * v) * piece.side,
-            (cell.alongY + cell.twist * u) * piece.side, cell.twist * (piece.side * piece.side)};
-}
-
-// Lane 4·l + k: corner k of the one piece, corner l of the other.
-struct CornerPattern {
-    Lanes fromX = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
-    Lanes fromY = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
-    Lanes toX = {0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1};
-    Lanes toY = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
-};
-
-struct PairSlopes {
-    float bound;     // squared, 0 where no ray comes out
-    float attained;  // squared, by a chord
-};
-
-// Gradients of the part of a cell between (x0,y0) and (x1,y1): a box.
-struct PartGradients {
-    float x[2];
-    float y[2];
-};
-inline PartGradients partGradients(const CellSurface& cell, float u0, float v0, float u1, float v1,
-                                   float aspect) {
-    return {{cell.alongX + cell.twist * v0, cell.alongX + cell.twist * v1},
-            {(cell.alongY + cell.twist * u0) / aspect, (cell.alongY + cell.twist * u1) / aspect}};
-}
-
-// The bound by gradients (near_crests.h), squared, for the rectangle around two pieces whose cells
-// touch.
-inline float boundByGradients(const Surroundings& surface, const float* texel, const Piece& from,
-                              const Piece& to) {
-    const float left = std::min(from.x, to.x);
-    const float right = std::max(from.x + from.side, to.x + to.side);
-    const float top = std::min(from.y, to.y);
-    const float bottom = std::max(from.y + from.side, to.y + to.side);
-    alignas(64) float downs[2][kLanes];
-    for (int n = 0; n < 4; ++n) {
-        const int cellX = n % 2 == 0 ? from.cellX : to.cellX;
-        const int cellY = n / 2 == 0 ? from.cellY : to.cellY;
-        const auto x = static_cast<float>(cellX);
-        const auto y = static_cast<float>(cellY);
-        const PartGradients box =
-            partGradients(cellAt(texel, cellX, cellY), std::clamp(left - x, 0.0f, 1.0f),
-                          std::clamp(top - y, 0.0f, 1.0f), std::clamp(right - x, 0.0f, 1.0f),
-                          std::clamp(bottom - y, 0.0f, 1.0f), surface.aspect);
-        for (int k = 0; k < 4; ++k) {
-            downs[0][4 * n + k] = -box.x[k % 2];
-            downs[1][4 * n + k] = -box.y[k / 2];
-        }
-    }
-    const Lanes downX = loadLanes(downs[0]);
-    const Lanes downY = loadLanes(downs[1]);
-    const float u = to.x - static_cast<float>(to.cellX);
-    const float v = to.y - static_cast<float>(to.cellY);
-    const PartGradients after = partGradients(cellAt(texel, to.cellX, to.cellY), u, v, u + to.side,
-                                              v + to.side, surface.aspect);
-    Lanes steepest{};
-    for (int l = 0; l < 4; ++l) {
-        const float bx = after.x[l % 2];
-        const float by = after.y[l / 2];
-        const float square = bx * bx + by * by;
-        if (!(square > 1e-30f))
-            continue;
-        const Lanes along = downX * bx + downY * by;
-        const Lanes across = downX * by - downY * bx;
-        steepest = larger(
-            steepest, along >= Lanes{} ? downX * downX + downY * downY : across * across / square);
-    }
-    return largestLane(steepest);
-}
-
-// `known`: bounds need not be less than this.
-inline PairSlopes slopesOf(const Surroundings& surface, const float* texel, const Piece& from,
-                           const Piece& to, float known) {
-    const CornerPattern corner;
-    const CellSurface start = within(cellAt(texel, from.cellX, from.cellY), from);
-    const CellSurface end = within(cellAt(texel, to.cellX, to.cellY), to);
-    const Lanes startDepth = start.origin + start.alongX * corner.fromX +
-                             start.alongY * corner.fromY +
-                             start.twist * (corner.fromX * corner.fromY);
-    const Lanes endDepth = end.origin + end.alongX * corner.toX + end.alongY * corner.toY +
-                           end.twist * (corner.toX * corner.toY);
-    const Lanes dx = (to.x - from.x) + corner.toX * to.side - corner.fromX * from.side;
-    const Lanes dy = (to.y - from.y) + corner.toY * to.side - corner.fromY * from.side;
-    const float perSide = 1.0f / to.side;  // a power of two
-    const Lanes growth =
-        ((end.alongX + end.twist * corner.toY) * dx + (end.alongY + end.twist * corner.toX) * dy) *
-        perSide;
-    const LaneMask comesOut = growth > Lanes{};
-    if (!anyLane(comesOut))
-        return {0.0f, 0.0f};
-    const float aspect = surface.aspect;
-    const float correction =
-        (squareOf(from.side) + squareOf(to.side)) * 0.25f * (1.0f + squareOf(aspect));
-    const Lanes square = dx * dx + dy * dy * squareOf(aspect);
-    const Lanes rises = startDepth - endDepth;
-    const Lanes attained =
-        comesOut & (rises > Lanes{}) & (square > Lanes{}) ? rises * rises / square : Lanes{};
-    const LaneMask isFar = square - correction > splat(1e-6f);
-    const Lanes length = isFar ? square - correction : splat(1.0f);
-    const auto bound = [&](Lanes rise) {
-        return largestLane(rise > Lanes{} ? (isFar ? rise * rise / length : splat(kUnbounded))
-                                          : Lanes{});
-    };
-    float least = bound(rises);
-    if (least > known)
-        least = std::min(least, bound(rises + growth));
-    if (least > known && std::abs(from.cellX - to.cellX) <= 1 &&
-        std::abs(from.cellY - to.cellY) <= 1)
-        least = std::min(least, boundByGradients(surface, texel, from, to));
-    return {least, largestLane(attained)};
-}
-
-// A part of a square: a quarter, 0 to 3, or all.
-constexpr int kWhole = 4;
-
-// --- One texel ---------------------------------------------------------------------------------
-
-// The search of one texel: pairs are halved until none may be much steeper than what is attained.
-class PairSearch {
+// The search of sixteen texels. Level by level: all open pairs are bounded, then those whose bound
+// may be much more than what some chord attains are halved, so that what is found for a texel does
+// not depend on those beside it.
+class NearCrestSearch {
   public:
-    // `attained`: squared slopes of some chord to these cells, or known otherwise.
-    PairSearch(const Surroundings& surface, const float* texel, float attained,
-               std::vector<Pair>& stack)
-        : surface_(surface),
-          texel_(texel),
-          attained_(attained),
-          accepted_(attained),
-          stack_(stack) {}
-
-    // A part of the square and a whole cell.
-    void search(int part, int x, int y, float bound) {
-        if (bound <= accepted_)
-            return;
-        stack_.clear();
-        stack_.push_back({part == kWhole ? Piece{-0.5f, -0.5f, 1.0f, 0, 0} : quarterOfSquare(part),
-                          {static_cast<float>(x), static_cast<float>(y), 1.0f, x, y},
-                          bound});
-        while (!stack_.empty()) {
-            const Pair pair = stack_.back();
-            stack_.pop_back();
-            if (pair.bound <= attained_ * squareOf(kAccepted) || pairs_ > kMostPairs ||
-                std::max(pair.from.side, pair.to.side) <= kLeastSide)
-                accepted_ = std::max(accepted_, pair.bound);
-            else if (pair.bound > accepted_)
-                split(pair);
-        }
+    // `known`: squared slopes that are attained.
+    NearCrestSearch(const Surroundings& surface, const float* texel, float aspect, Lanes known,
+                    OpenPairs& open)
+        : depths_(surface.depths.data()),
+          texel_(static_cast<int>(texel - depths_)),
+          aspect_(aspect),
+          open_(open) {
+        storeLanes(known, attained_);
+        storeLanes(known, accepted_);
     }
 
-    // The square of the slope.
-    [[nodiscard]] float slope() const { return std::max(attained_, accepted_); }
-    [[nodiscard]] int pairs() const { return pairs_; }
+    void openFrom(const Squares& squares) {
+        open_.pairs.clear();
+        const Lanes known = loadLanes(attained_);
+        const bool besideMatters = anyLane(
+            gradientDifference(squares, -kBeside - 1, -kBeside - 1, kBeside, kBeside) > known);
+        forEachCell([&](int x, int y) {
+            if (!isBeside(x, y))
+                openQuarters(boundBetween(squares, x, y) > known, x, y);
+            else if (besideMatters)
+                openBeside(squares, known, x, y);
+        });
+    }
+
+    // The squares of the slopes.
+    Lanes run() {
+        while (!open_.pairs.empty()) {
+            boundPairs();
+            acceptPairs();
+            halvePairs();
+        }
+        return larger(loadLanes(attained_), loadLanes(accepted_));
+    }
+    [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
 
   private:
-    // Sorted, the steepest on top of what was pushed since `first`.
-    void add(const Piece& from, const Piece& to, std::size_t first) {
-        ++pairs_;
-        const PairSlopes slopes = slopesOf(surface_, texel_, from, to, accepted_);
-        attained_ = std::max(attained_, slopes.attained);
-        if (slopes.bound <= std::max(attained_, accepted_))
+    // A quarter of the square, which lies in one of the cells around the texel's centre.
+    void open(LaneMask lanes, int quarter, int x, int y) {
+        if (!anyLane(lanes))
             return;
-        const Pair pair{from, to, slopes.bound};
-        std::size_t place = stack_.size();
-        stack_.push_back(pair);
-        for (; place > first && stack_[place - 1].bound > pair.bound; --place)
-            stack_[place] = stack_[place - 1];
-        stack_[place] = pair;
+        const int ownX = quarter % 2 - 1;
+        const int ownY = quarter / 2 - 1;
+        const auto place = [](int own) { return own < 0 ? 0.5f : 0.0f; };
+        const auto cellAt = [&](int i, int j) { return texel_ + j * Surroundings::kSide + i; };
+        for (int k = 0; k < kLanes; ++k)
+            if (lanes[k] != 0)
+                open_.pairs.push_back({{cellAt(ownX, ownY) + k, place(ownX), place(ownY), 0.5f},
+                                       {cellAt(x, y) + k, 0.0f, 0.0f, 1.0f},
+                                       static_cast<float>(x - ownX),
+                                       static_cast<float>(y - ownY),
+                                       k});
+    }
+    void openQuarters(LaneMask lanes, int x, int y) {
+        for (int quarter = 0; quarter < 4; ++quarter)
+            open(lanes, quarter, x, y);
+    }
+    void openBeside(const Squares& squares, Lanes known, int x, int y) {
+        for (int quarter = 0; quarter < 4; ++quarter)
+            open(quarterBound(squares, quarter, x, y) > known, quarter, x, y);
     }
 
-    // The square of the texel has a part in each of the four cells around its centre.
-    static Piece quarterOfSquare(int k) {
-        const int cellX = k % 2 - 1;
-        const int cellY = k / 2 - 1;
-        return {0.5f * static_cast<float>(cellX), 0.5f * static_cast<float>(cellY), 0.5f, cellX,
-                cellY};
-    }
-    static Piece quarter(const Piece& piece, int k) {
-        const float side = 0.5f * piece.side;
-        return {piece.x + (k % 2 == 0 ? 0.0f : side), piece.y + (k / 2 == 0 ? 0.0f : side), side,
-                piece.cellX, piece.cellY};
+    void boundPairs() {
+        const std::span<const Pair> pairs = open_.pairs;
+        open_.bounds.resize(pairs.size() + kLanes);
+        for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
+            const std::size_t count = std::min<std::size_t>(kLanes, pairs.size() - first);
+            const std::span<const Pair> some = pairs.subspan(first, count);
+            alignas(64) float known[kLanes];
+            for (std::size_t k = 0; k < kLanes; ++k)
+                known[k] = accepted_[some[std::min(k, count - 1)].texel];
+            const PairSlopes slopes =
+                pairSlopes(loadPairs(some, depths_), aspect_, loadLanes(known));
+            storeLanes(slopes.bound, &open_.bounds[first]);
+            for (std::size_t k = 0; k < count; ++k) {
+                float& attained = attained_[some[k].texel];
+                attained = std::max(attained, slopes.attained[static_cast<int>(k)]);
+            }
+        }
+        pairs_ += pairs.size();
     }
 
-    void split(const Pair& pair) {
-        const std::size_t first = stack_.size();
-        for (int k = 0; k < 4; ++k)
-            if (pair.from.side == 1.0f)
-                add(quarterOfSquare(k), pair.to, first);
-            else if (pair.to.side >= pair.from.side)
-                add(pair.from, quarter(pair.to, k), first);
+    // Bounds that are nearly attained, or of pieces that are small enough, are taken as they are;
+    // so are all of a texel that has too many.
+    void acceptPairs() {
+        std::array<int, kLanes> left{};
+        const auto isGoodEnough = [&](std::size_t k) {
+            const Pair& pair = open_.pairs[k];
+            return open_.bounds[k] <= attained_[pair.texel] * (kAccepted * kAccepted) ||
+                   std::max(pair.from.side, pair.to.side) <= kLeastSide;
+        };
+        for (std::size_t k = 0; k < open_.pairs.size(); ++k) {
+            const int texel = open_.pairs[k].texel;
+            if (isGoodEnough(k))
+                accepted_[texel] = std::max(accepted_[texel], open_.bounds[k]);
             else
-                add(quarter(pair.from, k), pair.to, first);
+                ++left[static_cast<std::size_t>(texel)];
+        }
+        for (std::size_t k = 0; k < open_.pairs.size(); ++k) {
+            const int texel = open_.pairs[k].texel;
+            if (left[static_cast<std::size_t>(texel)] > kMostPairs)
+                accepted_[texel] = std::max(accepted_[texel], open_.bounds[k]);
+        }
     }
 
-    const Surroundings& surface_;
-    const float* texel_;
-    float attained_;  // by a chord, or known
-    float accepted_;  // the greatest bound that was good enough, or known
-    std::vector<Pair>& stack_;
-    int pairs_ = 0;
+    void halvePairs() {
+        open_.halves.clear();
+        for (std::size_t k = 0; k < open_.pairs.size(); ++k) {
+            const Pair& pair = open_.pairs[k];
+            if (open_.bounds[k] > std::max(accepted_[pair.texel], attained_[pair.texel]))
+                halve(pair);
+        }
+        std::swap(open_.pairs, open_.halves);
+    }
+
+    void halve(const Pair& pair) {
+        Piece Pair::*const larger = pair.to.side >= pair.from.side ? &Pair::to : &Pair::from;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            Pair half = pair;
+            Piece& piece = half.*larger;
+            piece.side *= 0.5f;
+            piece.u += quarter % 2 != 0 ? piece.side : 0.0f;
+            piece.v += quarter / 2 != 0 ? piece.side : 0.0f;
+            open_.halves.push_back(half);
+        }
+    }
+
+    const float* depths_;
+    int texel_;
+    float aspect_;
+    OpenPairs& open_;
+    alignas(64) float attained_[kLanes];  // by a chord
+    alignas(64) float accepted_[kLanes];  // the greatest bound that was good enough
+    std::uint64_t pairs_ = 0;
 };
 
-// Bounds of sixteen texels.
-struct StartBounds {
-    struct Start {
-        int part;
-        int x;
-        int y;
-    };
-    static constexpr int kMost = kCells * kCells + 3 * squareOf(2 * kBeside + 2);
-    int count = 0;
-    Start starts[kMost];
-    alignas(64) float bounds[kMost][kLanes];
-    Lanes attained;  // by chords from quarters
-
-    void add(int part, int x, int y, Lanes bound) {
-        starts[count] = {part, x, y};
-        storeLanes(bound, bounds[count++]);
-    }
-};
-
-inline void findStartBounds(const Squares& squares, StartBounds& start) {
-    start.count = 0;
-    start.attained = Lanes{};
-    for (int k = 0; k < kCells * kCells; ++k) {
-        const int x = k % kCells - kReach - 1;
-        const int y = k / kCells - kReach - 1;
-        if (!isBeside(x, y))
-            start.add(kWhole, x, y, boundBetween(squares, CellLanes(squares.texel, x, y), x, y));
-        else
-            for (int quarter = 0; quarter < 4; ++quarter)
-                start.add(quarter, x, y, quarterBound(squares, quarter, x, y, start.attained));
-    }
-}
-
-[[gnu::flatten]] inline void refineNearCrests(const Surroundings& surface, std::vector<Pair>& stack,
+[[gnu::flatten]] inline void refineNearCrests(const Surroundings& surface, OpenPairs& open,
                                               std::uint64_t& pairs, int width, int height,
                                               BlockValues& slopes) {
-    StartBounds start;
     for (int j = 0; j < height; ++j)
-        for (int first = 0; first < width; first += kLanes) {
-            const Squares squares = squaresAt(surface, first, j);
-            findStartBounds(squares, start);
-            for (int i = 0; i < std::min(kLanes, width - first); ++i) {
-                float& known = slopes[blockIndex(first + i, j)];
-                PairSearch search(surface, squares.texel + i,
-                                  std::max(squareOf(known), start.attained[i]), stack);
-                for (int k = 0; k < start.count; ++k)
-                    search.search(start.starts[k].part, start.starts[k].x, start.starts[k].y,
-                                  start.bounds[k][i]);
-                known = std::max(known, std::sqrt(search.slope()));
-                pairs += static_cast<std::uint64_t>(search.pairs());
-            }
+        for (int i = 0; i < width; i += kLanes) {
+            const Squares squares = squaresAt(surface, i, j);
+            float* const known = &slopes[blockIndex(i, j)];
+            NearCrestSearch search(surface, squares.texel, squares.aspect,
+                                   squareOf(loadLanes(known)), open);
+            search.openFrom(squares);
+            storeLanes(larger(squareRoots(search.run()), loadLanes(known)), known);
+            pairs += search.pairs();
         }
 }

@@ -1,0 +1,208 @@
+// Bounds on the slopes of chords between two pieces of the surface (near_crests.h), for sixteen
+// pairs of pieces at once. No include guard: see for_each_processor.h.
+
+#include "preprocess/square_surface_kernel.h"
+
+using Pair = NearCrests::Pair;
+using Piece = NearCrests::Piece;
+
+constexpr Lanes squareOf(Lanes value) {
+    return value * value;
+}
+
+// Sixteen square parts of cells: where in the cells, and the cells' depths at their corners.
+struct PieceLanes {
+    Lanes u;
+    Lanes v;
+    Lanes side;
+    Lanes cell[4];
+};
+
+struct PairLanes {
+    PieceLanes from;
+    PieceLanes to;
+    Lanes stepX;  // cells from the one to the other
+    Lanes stepY;
+    const float* fromCell[kLanes];
+};
+
+// One side of the pairs, transposed; lanes beyond `count` repeat the last pair.
+inline PieceLanes loadPieces(std::span<const Pair> pairs, Piece Pair::*end, const float* depths) {
+    alignas(64) float values[7][kLanes];
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const Piece& piece = pairs[std::min(k, pairs.size() - 1)].*end;
+        const float* const cell = depths + piece.cell;
+        values[0][k] = piece.u;
+        values[1][k] = piece.v;
+        values[2][k] = piece.side;
+        values[3][k] = cell[0];
+        values[4][k] = cell[1];
+        values[5][k] = cell[Surroundings::kSide];
+        values[6][k] = cell[Surroundings::kSide + 1];
+    }
+    const auto lanes = [&](int k) { return loadLanes(values[k]); };
+    return {lanes(0), lanes(1), lanes(2), {lanes(3), lanes(4), lanes(5), lanes(6)}};
+}
+
+inline PairLanes loadPairs(std::span<const Pair> pairs, const float* depths) {
+    PairLanes result{
+        loadPieces(pairs, &Pair::from, depths), loadPieces(pairs, &Pair::to, depths), {}, {}, {}};
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const Pair& pair = pairs[std::min(k, pairs.size() - 1)];
+        result.stepX[k] = pair.stepX;
+        result.stepY[k] = pair.stepY;
+        result.fromCell[k] = depths + pair.from.cell;
+    }
+    return result;
+}
+
+// Gradients in a part of a cell, in depth per texel width along x and per texel height along y: a
+// box. ∂D/∂x on its upper and lower side, ∂D/∂y on its left and right one.
+struct GradientBox {
+    Lanes x[2];
+    Lanes y[2];
+};
+
+// Of the part from (u0,v0) to (u1,v1).
+inline GradientBox gradientBox(const Lanes cell[4], Lanes u0, Lanes v0, Lanes u1, Lanes v1) {
+    const Lanes alongX = cell[1] - cell[0];
+    const Lanes alongY = cell[2] - cell[0];
+    const Lanes twist = cell[3] - cell[2] - alongX;
+    return {{alongX + twist * v0, alongX + twist * v1}, {alongY + twist * u0, alongY + twist * u1}};
+}
+
+struct PieceSurface {
+    GradientBox gradients;
+    Lanes depth[4];  // at the corners
+};
+
+inline PieceSurface surfaceOf(const PieceLanes& piece) {
+    const GradientBox box =
+        gradientBox(piece.cell, piece.u, piece.v, piece.u + piece.side, piece.v + piece.side);
+    const Lanes origin =
+        piece.cell[0] + box.x[0] * piece.u + (piece.cell[2] - piece.cell[0]) * piece.v;
+    const Lanes below = origin + box.y[0] * piece.side;
+    return {box, {origin, origin + box.x[0] * piece.side, below, below + box.x[1] * piece.side}};
+}
+
+// What the sixteen pairs of corners of each pair of pieces say: maxima of squared slopes.
+struct CornerSlopes {
+    Lanes chords;    // bounds by the surface
+    Lanes tangents;  // and by the planes that touch it at the end
+    Lanes attained;  // by a chord along which a ray comes out
+    Lanes growth;    // positive where a ray may come out
+};
+
+inline CornerSlopes cornerSlopes(const PairLanes& pair, float aspect) {
+    const PieceSurface from = surfaceOf(pair.from);
+    const PieceSurface to = surfaceOf(pair.to);
+    const Lanes correction =
+        (squareOf(pair.from.side) + squareOf(pair.to.side)) * (0.25f * (1.0f + aspect * aspect));
+    const Lanes dx = pair.stepX + pair.to.u - pair.from.u;
+    const Lanes dy = pair.stepY + pair.to.v - pair.from.v;
+    CornerSlopes result{{}, {}, {}, splat(-kUnbounded)};
+    for (int l = 0; l < 4; ++l)
+        for (int k = 0; k < 4; ++k) {
+            const Lanes x = dx + (l % 2 != 0 ? pair.to.side : Lanes{}) -
+                            (k % 2 != 0 ? pair.from.side : Lanes{});
+            const Lanes y = dy + (l / 2 != 0 ? pair.to.side : Lanes{}) -
+                            (k / 2 != 0 ? pair.from.side : Lanes{});
+            const Lanes growth = to.gradients.x[l / 2] * x + to.gradients.y[l % 2] * y;
+            const Lanes rise = from.depth[k] - to.depth[l];
+            const Lanes chord = squareOf(larger(rise, Lanes{}));
+            const Lanes tangent = squareOf(larger(rise + growth, Lanes{}));
+            const Lanes square = squareOf(x) + squareOf(y * aspect);
+            const Lanes perLeast = 1.0f / larger(square - correction, splat(1.0f / kUnbounded));
+            result.chords = larger(result.chords, chord * perLeast);
+            result.tangents = larger(result.tangents, tangent * perLeast);
+            const Lanes slope = chord / larger(square, splat(1.0f / kUnbounded));
+            const LaneMask isChord = (growth > Lanes{}) & (square > Lanes{});
+            result.attained = larger(result.attained, isChord ? slope : Lanes{});
+            result.growth = larger(result.growth, growth);
+        }
+    return result;
+}
+
+// The greatest (a·e)² (near_crests.h) for a among the slopes down in `path` and b in `end`.
+inline Lanes steepestTowards(const GradientBox& path, const GradientBox& end) {
+    Lanes steepest{};
+    for (int l = 0; l < 4; ++l) {
+        const Lanes bx = end.x[l % 2];
+        const Lanes by = end.y[l / 2];
+        const Lanes square = bx * bx + by * by;
+        const LaneMask grows = square > splat(1e-30f);
+        const Lanes perSquare = 1.0f / (grows ? square : splat(1.0f));
+        for (int k = 0; k < 4; ++k) {
+            const Lanes ax = path.x[k % 2];
+            const Lanes ay = path.y[k / 2];
+            const Lanes along = ax * bx + ay * by;
+            const Lanes across = ax * by - ay * bx;
+            const Lanes slope = along <= Lanes{} ? ax * ax + ay * ay : across * across * perSquare;
+            steepest = larger(steepest, grows ? slope : Lanes{});
+        }
+    }
+    return steepest;
+}
+
+inline Lanes clampToCell(Lanes place) {
+    return smaller(larger(place, Lanes{}), splat(1.0f));
+}
+
+// The bound by gradients, squared, where the cells of both pieces touch: chords stay in the
+// rectangle around them, which has parts in up to four cells.
+inline Lanes boundByGradients(const PairLanes& pair, float aspect) {
+    const Lanes toX = pair.stepX + pair.to.u;
+    const Lanes toY = pair.stepY + pair.to.v;
+    const Lanes left = smaller(pair.from.u, toX);
+    const Lanes right = larger(pair.from.u + pair.from.side, toX + pair.to.side);
+    const Lanes top = smaller(pair.from.v, toY);
+    const Lanes bottom = larger(pair.from.v + pair.from.side, toY + pair.to.side);
+    const auto toMetric = [&](GradientBox box) {
+        box.y[0] = box.y[0] / aspect;
+        box.y[1] = box.y[1] / aspect;
+        return box;
+    };
+    const GradientBox end = toMetric(gradientBox(
+        pair.to.cell, pair.to.u, pair.to.v, pair.to.u + pair.to.side, pair.to.v + pair.to.side));
+    Lanes steepest{};
+    for (int n = 0; n < 4; ++n) {
+        const Lanes x = n % 2 != 0 ? pair.stepX : Lanes{};
+        const Lanes y = n / 2 != 0 ? pair.stepY : Lanes{};
+        if ((n % 2 != 0 && !anyLane(pair.stepX != Lanes{})) ||
+            (n / 2 != 0 && !anyLane(pair.stepY != Lanes{})))
+            continue;
+        alignas(64) float depth[4][kLanes];
+        for (int k = 0; k < kLanes; ++k) {
+            const float* const cell = pair.fromCell[k] + static_cast<int>(x[k]) +
+                                      static_cast<int>(y[k]) * Surroundings::kSide;
+            depth[0][k] = cell[0];
+            depth[1][k] = cell[1];
+            depth[2][k] = cell[Surroundings::kSide];
+            depth[3][k] = cell[Surroundings::kSide + 1];
+        }
+        const Lanes cell[4] = {loadLanes(depth[0]), loadLanes(depth[1]), loadLanes(depth[2]),
+                               loadLanes(depth[3])};
+        const GradientBox path =
+            toMetric(gradientBox(cell, clampToCell(left - x), clampToCell(top - y),
+                                 clampToCell(right - x), clampToCell(bottom - y)));
+        steepest = larger(steepest, steepestTowards(path, end));
+    }
+    return steepest;
+}
+
+// Squared slopes of sixteen pairs.
+struct PairSlopes {
+    Lanes bound;     // 0 where no ray comes out
+    Lanes attained;  // by a chord
+};
+
+// `known`: bounds need not be less than this.
+inline PairSlopes pairSlopes(const PairLanes& pair, float aspect, Lanes known) {
+    const CornerSlopes corners = cornerSlopes(pair, aspect);
+    Lanes bound = corners.growth > Lanes{} ? smaller(corners.chords, corners.tangents) : Lanes{};
+    const LaneMask touch = (squareOf(pair.stepX) <= splat(1.0f)) &
+                           (squareOf(pair.stepY) <= splat(1.0f)) & (bound > known);
+    if (anyLane(touch))
+        bound = touch ? smaller(bound, boundByGradients(pair, aspect)) : bound;
+    return {bound, corners.attained};
+}
