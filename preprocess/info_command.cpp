@@ -97,6 +97,15 @@ std::string textOf(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// Tables in an attribute are for programs.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kLongest = 200;
+    constexpr std::size_t kShown = 40;
+    return text.size() <= kLongest
+               ? text
+               : fmt::format("{}... ({} characters)", text.substr(0, kShown), text.size());
+}
+
 void printChannel(const Json& channel) {
     std::string line = fmt::format("{:<10}", channel["name"].get<std::string>());
     for (const char* key : {"min", "max", "mean"})
@@ -113,7 +122,7 @@ void print(const Json& description) {
             std::for_each(value.begin(), value.end(), printChannel);
         else if (key == "attributes")
             for (const auto& [name, word] : value.items())
-                commands::answer(fmt::format("{:<22} {}", name, textOf(word)));
+                commands::answer(fmt::format("{:<22} {}", name, shortened(textOf(word))));
         else if (key == "levels")
             commands::answer(fmt::format("{:<10} {} down to 1x1", key, value.size()));
         else

@@ -1,6 +1,7 @@
 #include "preprocess/map_kinds.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,9 +11,12 @@
 #include "preprocess/cylinder_radii.h"
 #include "preprocess/derivatives.h"
 #include "preprocess/dilation_erosion.h"
+#include "preprocess/displacement_error.h"
+#include "preprocess/displacement_factors.h"
 #include "preprocess/distance_volume.h"
 #include "preprocess/horizon_map.h"
 #include "preprocess/normals.h"
+#include "preprocess/view_displacement.h"
 #include "preprocess/visibility_ellipses.h"
 
 namespace relievo::preprocess {
@@ -71,6 +75,50 @@ std::string buildVolume(const MapRequest& request, MapSet& maps) {
                 maps);
     maps.attributes["relievo:volume-scale"] = fmt::format("{}", plan.volumeScale);
     return fmt::format("{} slices at depth scale {}", plan.slices, plan.volumeScale);
+}
+
+std::vector<std::string> displacementChannels(const ReliefPlan& plan) {
+    if (plan.terms == 0)
+        return numbered("vdm", static_cast<int>(plan.views.views()));
+    std::vector<std::string> names = numbered("vdmfactor", plan.terms * plan.views.azimuths);
+    for (std::string& name : numbered("vdmmiss", static_cast<int>(missesPlanes(plan.views))))
+        names.push_back(std::move(name));
+    return names;
+}
+
+// The table itself while it is packed.
+double displacementBytes(const ReliefPlan& plan) {
+    return plan.terms == 0 ? 0.0 : sizeof(float) * static_cast<double>(plan.views.views());
+}
+
+std::string packDisplacements(std::vector<textures::Plane> table, const ReliefPlan& plan,
+                              MapSet& maps) {
+    DisplacementFactors factors = factorDisplacement(table, plan.views, plan.terms, plan.format);
+    const DisplacementError error = measureFactors(table, plan.views, factors);
+    std::vector<std::string> weights;
+    for (const std::vector<float>& term : factors.weights)
+        weights.push_back(fmt::format("{}", fmt::join(term, " ")));
+    maps.attributes["relievo:vdm-weights"] = fmt::format("{}", fmt::join(weights, " "));
+    maps.attributes["relievo:vdm-error"] =
+        fmt::format("{} {} {}", error.mean, error.percentile99, error.greatest);
+    addNumbered("vdmfactor", std::move(factors.factors), maps);
+    addNumbered("vdmmiss", std::move(factors.misses), maps);
+    return fmt::format("{} views, off by {:.2g}, 99% {:.2g}, at most {:.2g}", plan.views.views(),
+                       error.mean, error.percentile99, error.greatest);
+}
+
+std::string buildDisplacements(const MapRequest& request, MapSet& maps) {
+    const ViewGrid& views = request.plan.views;
+    maps.attributes["relievo:vdm-views"] =
+        fmt::format("{} {} {}", views.azimuths, views.elevations, views.curvatures);
+    maps.attributes["relievo:vdm-range"] = fmt::format("{}", views.sharpest);
+    maps.attributes["relievo:vdm-scale"] = fmt::format("{}", views.depthScale);
+    std::vector<textures::Plane> table =
+        buildViewDisplacement(request.relief, views, request.advance);
+    if (request.plan.terms > 0)
+        return packDisplacements(std::move(table), request.plan, maps);
+    addNumbered("vdm", std::move(table), maps);
+    return fmt::format("{} views at depth scale {}", views.views(), views.depthScale);
 }
 
 std::vector<std::string> horizonChannels(const ReliefPlan& plan) {
@@ -198,6 +246,10 @@ std::string buildDerivativeMap(const MapRequest& request, MapSet& maps) {
 
 constexpr MapKind kKinds[] = {
     {"cone", "cones of the kind that --cone says", coneChannels, buildCones, coneBytes},
+    {"vdm",
+     "vdmfactor0 ... vdmmiss0 ..., or vdm0 ...: displacements along view rays over a curved base, "
+     "in --vdm-terms products",
+     displacementChannels, buildDisplacements, displacementBytes},
     {"volume", "volume0, volume1 ...: distances in --slices layers at --volume-scale",
      volumeChannels, buildVolume, bytes<16>},
     {"horizon", "horizon0, horizon1 ...: slopes to the horizon in --azimuths directions",
@@ -227,6 +279,13 @@ std::span<const MapKind> mapKinds() {
 const MapKind* findMapKind(std::string_view name) {
     const auto found = std::ranges::find(kKinds, name, &MapKind::name);
     return found == std::end(kKinds) ? nullptr : &*found;
+}
+
+std::size_t channelCount(const ReliefPlan& plan) {
+    std::size_t count = 0;
+    for (const std::string& map : plan.maps)
+        count += findMapKind(map)->channels(plan).size();
+    return count;
 }
 
 }  // namespace relievo::preprocess

@@ -41,4 +41,7 @@ std::span<const MapKind> mapKinds();
 /// The kind called `name`, or null.
 const MapKind* findMapKind(std::string_view name);
 
+/// How many channels the maps of `plan` have, which must all be known.
+std::size_t channelCount(const ReliefPlan& plan);
+
 }  // namespace relievo::preprocess

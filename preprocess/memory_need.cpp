@@ -98,9 +98,7 @@ double memoryPerTexel(const ReliefPlan& plan) {
 }
 
 std::uint64_t memoryNeed(const ReliefPlan& plan, int width, int height) {
-    double channels = 0.0;
-    for (const std::string& map : plan.maps)
-        channels += static_cast<double>(findMapKind(map)->channels(plan).size());
+    const auto channels = static_cast<double>(channelCount(plan));
     const double rows = kRowBuffers * kPlaneBytes * width * std::max(channels, 4.0);
     return static_cast<std::uint64_t>(kProgramBytes + rows + memoryPerTexel(plan) * width * height);
 }

@@ -70,9 +70,7 @@ std::string problemOfCones(const ReliefPlan& plan) {
 }
 
 std::string problemOfChannels(const ReliefPlan& plan) {
-    std::size_t channels = 0;
-    for (const std::string& map : plan.maps)
-        channels += findMapKind(map)->channels(plan).size();
+    const std::size_t channels = channelCount(plan);
     return textures::isPackedFormat(plan.format) && channels > kPackedChannels
                ? fmt::format(
                      "--maps asks for {} channels, but a PNG or TIFF holds {}: bake to .exr, or "
@@ -81,10 +79,36 @@ std::string problemOfChannels(const ReliefPlan& plan) {
                : "";
 }
 
+std::string problemOfViews(const ReliefPlan& plan) {
+    const ViewGrid& views = plan.views;
+    if (views.azimuths < kFewestAzimuths || views.azimuths > kMostAzimuths)
+        return fmt::format("--vdm-azimuths: expected {} to {}", kFewestAzimuths, kMostAzimuths);
+    if (views.elevations < 1 || views.elevations > kMostElevations)
+        return fmt::format("--vdm-elevations: expected 1 to {}", kMostElevations);
+    if (views.curvatures < 1 || views.curvatures > kMostCurvatures || views.curvatures % 2 == 0)
+        return fmt::format("--vdm-curvatures: expected an odd number from 1 to {}",
+                           kMostCurvatures);
+    if (views.views() > kMostViews)
+        return fmt::format("--maps vdm: has {} views, expected at most {}", views.views(),
+                           kMostViews);
+    if (!(views.sharpest >= 0.0 && views.sharpest <= kLargestSharpest))
+        return fmt::format("--vdm-range: expected a number from 0 to {}", kLargestSharpest);
+    if (!(views.depthScale > 0.0 && views.depthScale <= kLargestViewScale))
+        return fmt::format("--vdm-scale: expected a number above 0, up to {}", kLargestViewScale);
+    if (plan.terms < 0 || plan.terms > kMostTerms)
+        return fmt::format("--vdm-terms: expected 0 to {}", kMostTerms);
+    if (plan.has("vdm") && plan.mips && plan.terms > 0)
+        return "--mips: the map vdm has MIP levels with --vdm-terms 0 only, since each level would "
+               "need weights of its own";
+    if (plan.has("vdm") && textures::isPackedFormat(plan.format))
+        return "--maps: the map vdm goes into .exr files only";
+    return "";
+}
+
 }  // namespace
 
 std::string planProblem(const ReliefPlan& plan) {
-    for (const auto check : {problemOfMaps, problemOfCones, problemOfChannels})
+    for (const auto check : {problemOfMaps, problemOfCones, problemOfViews, problemOfChannels})
         if (std::string problem = check(plan); !problem.empty())
             return problem;
     if (!(plan.normalScale >= 0.0) || !std::isfinite(plan.normalScale))
@@ -122,6 +146,10 @@ std::string optionWords(const ReliefPlan& plan) {
         words += fmt::format(" normal-scale={}", plan.normalScale);
     if (plan.has("volume"))
         words += fmt::format(" slices={} volume-scale={}", plan.slices, plan.volumeScale);
+    if (plan.has("vdm"))
+        words += fmt::format(" vdm={}x{}x{} vdm-range={} vdm-scale={} vdm-terms={}",
+                             plan.views.azimuths, plan.views.elevations, plan.views.curvatures,
+                             plan.views.sharpest, plan.views.depthScale, plan.terms);
     return words + (plan.mips ? " mips" : "");
 }
 

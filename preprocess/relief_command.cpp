@@ -86,6 +86,8 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.azimuths = arguments.azimuths;
     job.plan.slices = arguments.slices;
     job.plan.volumeScale = arguments.volumeScale;
+    job.plan.views = arguments.views;
+    job.plan.terms = arguments.terms;
     job.input.isDepth = arguments.input == "depth";
     job.input.channel = arguments.channel;
     job.input.wrap = *textures::wrapModeFromName(arguments.wrap);
@@ -179,8 +181,27 @@ bool isUpToDate(const Job& job, const ReliefArguments& arguments, const std::str
 // The libraries and the system would end a program that takes more than there is, at any time.
 void requireRoom(const Job& job, const ReliefArguments& arguments) {
     const textures::ImageReader header(arguments.height);
-    requireMemory(arguments.height, job.plan, header.info().width, header.info().height,
-                  availableMemory());
+    const int width = header.info().width;
+    const int height = header.info().height;
+    textures::requireReadableSize(arguments.output, width, height, channelCount(job.plan));
+    requireMemory(arguments.height, job.plan, width, height, availableMemory());
+}
+
+// What the maps will be, before the work.
+void reportSizes(const ReliefPlan& plan, const Plane& depth) {
+    const std::size_t planeBytes = depth.texels.size() * sizeof(float);
+    commands::say(
+        fmt::format("{:<10} {} channels, {} bytes as floats; up to {} of memory", "plan",
+                    channelCount(plan), channelCount(plan) * planeBytes,
+                    memoryText(static_cast<double>(memoryNeed(plan, depth.width, depth.height)))));
+    if (!plan.has("vdm"))
+        return;
+    std::string sizes = fmt::format("{} views, {} bytes as a table", plan.views.views(),
+                                    plan.views.views() * planeBytes);
+    if (plan.terms > 0)
+        sizes += fmt::format(", {} as {} terms",
+                             findMapKind("vdm")->channels(plan).size() * planeBytes, plan.terms);
+    commands::say(fmt::format("{:<10} {}", "vdm", sizes));
 }
 
 textures::HeightImage readInput(const Job& job, const ReliefArguments& arguments) {
@@ -208,6 +229,31 @@ std::string mapsDescription() {
     for (const MapKind& kind : mapKinds())
         description += fmt::format("\n{} ({})", kind.name, kind.description);
     return description;
+}
+
+void addViewOptions(CLI::App& command, ReliefArguments& arguments) {
+    const auto add = [&](const char* name, int& number, int least, int most,
+                         const char* description) {
+        command.add_option(name, number, description)
+            ->check(CLI::Range(least, most))
+            ->capture_default_str();
+    };
+    ViewGrid& views = arguments.views;
+    add("--vdm-azimuths", views.azimuths, kFewestAzimuths, kMostAzimuths,
+        "Azimuths of the views of the map vdm");
+    add("--vdm-elevations", views.elevations, 1, kMostElevations, "Elevations of its views");
+    add("--vdm-curvatures", views.curvatures, 1, kMostCurvatures,
+        "Curvatures of its base surface, an odd number");
+    command
+        .add_option("--vdm-range", views.sharpest,
+                    "Greatest of them, in radians per tile width; the least is opposite")
+        ->check(CLI::Range(0.0, kLargestSharpest))
+        ->capture_default_str();
+    command.add_option("--vdm-scale", views.depthScale, "Its depth scale, in tile widths")
+        ->check(CLI::Range(kLeastScale, kLargestViewScale))
+        ->capture_default_str();
+    add("--vdm-terms", arguments.terms, 0, kMostTerms,
+        "Terms into which its table is packed; 0: the whole table");
 }
 
 }  // namespace
@@ -280,6 +326,7 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
                      "Depth scale of the map volume, in tile widths")
         ->check(CLI::Range(kLeastScale, kLargestScale))
         ->capture_default_str();
+    addViewOptions(*command, arguments);
     command
         ->add_option("--threads", arguments.threads, "Threads [all cores]; the bytes are the same")
         ->check(CLI::Range(1, kMostThreads));
@@ -315,6 +362,7 @@ void runReliefCommand(const ReliefArguments& arguments) {
             arguments.output));
         return;
     }
+    reportSizes(job.plan, image.depth.depth);
     std::vector<MapSet> levels = bake(std::move(image.depth), job.plan);
     for (MapSet& level : levels)
         level.source = image.source;

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "preprocess/view_grid.h"
+
 namespace CLI {
 class App;
 }
@@ -27,6 +29,8 @@ struct ReliefArguments {
     int azimuths = 8;
     int slices = 16;
     double volumeScale = 0.1;
+    ViewGrid views;
+    int terms = 8;
     bool mips = false;
     bool force = false;
     int threads = 0;  ///< 0: all cores

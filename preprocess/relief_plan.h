@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "preprocess/view_grid.h"
 #include "textures/map_set.h"
 #include "textures/storage_format.h"
 
@@ -20,6 +21,9 @@ inline constexpr int kFarthestReach = 1024;
 
 /// The most layers that the map `volume` may have.
 inline constexpr int kMostSlices = 256;
+
+/// The most terms that the map `vdm` may be packed into.
+inline constexpr int kMostTerms = 64;
 
 /// Which maps to bake of a relief, and how, in the words of `relievo-bake relief`.
 struct ReliefPlan {
@@ -38,6 +42,8 @@ struct ReliefPlan {
     int azimuths = 8;          ///< of the maps `horizon`, `occlusion` and `ellipse`
     int slices = 16;           ///< layers of the map `volume`
     double volumeScale = 0.1;  ///< depth scale of the map `volume`, in tile widths
+    ViewGrid views;            ///< of the map `vdm`
+    int terms = 8;             ///< into which the map `vdm` is packed; 0: the table itself
 
     [[nodiscard]] bool has(std::string_view map) const {
         return std::find(maps.begin(), maps.end(), map) != maps.end();

@@ -16,6 +16,8 @@ constexpr ChannelRule kSigned{Rounding::Nearest, true, false};
 constexpr ChannelRule kSafe{Rounding::Down, false, false};
 constexpr ChannelRule kCone{Rounding::Down, false, false, true};
 constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
+// Distances, and −1 where there is none.
+constexpr ChannelRule kSafeOrNone{Rounding::Down, true, false};
 
 /// Roof cones may have a layer per sector: `roof0`, `ratio0` … follow the rule of `roof`, `ratio`.
 constexpr std::array kRules{
@@ -23,7 +25,7 @@ constexpr std::array kRules{
     NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},     NamedRule{"nz", kSigned},
     NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},    NamedRule{"roof", kSafeUnit},
     NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe}, NamedRule{"occlusion", kUnit},
-    NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},
+    NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},     NamedRule{"vdm", kSafeOrNone},
 };
 
 }  // namespace

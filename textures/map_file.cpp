@@ -46,17 +46,6 @@ void checkChannels(const MapSet& maps) {
     }
 }
 
-/// What readMapFile would refuse must not be written.
-void requireReadableSize(const std::filesystem::path& file, const MapSet& maps) {
-    const double texels = 1.0 * maps.width() * maps.height();
-    if (texels * static_cast<double>(maps.channels.size() * sizeof(float)) > kLargestMap)
-        throw InputError(fmt::format(
-            "{}: {} x {} texels with {} channels are too many for a map file, expected at most "
-            "{} GiB as floats",
-            file.string(), maps.width(), maps.height(), maps.channels.size(),
-            kLargestMap / (1024.0 * 1024.0 * 1024.0)));
-}
-
 /// Ratios may be infinite (stored as the widest), nothing may be NaN, and halves end at 65504.
 void checkStorable(const std::filesystem::path& file, const Channel& channel,
                    StorageFormat format) {
@@ -306,6 +295,16 @@ class MapFileReader {
 
 }  // namespace
 
+void requireReadableSize(const std::filesystem::path& file, int width, int height,
+                         std::size_t channels) {
+    const double texels = 1.0 * width * height;
+    if (texels * static_cast<double>(channels * sizeof(float)) > kLargestMap)
+        throw InputError(fmt::format(
+            "{}: {} x {} texels with {} channels are too many for a map file, expected at most "
+            "{} GiB as floats",
+            file.string(), width, height, channels, kLargestMap / (1024.0 * 1024.0 * 1024.0)));
+}
+
 void writeMapFile(const std::filesystem::path& file, std::span<const MapSet> levels,
                   StorageFormat format) {
     checkLevels(levels);
@@ -313,7 +312,8 @@ void writeMapFile(const std::filesystem::path& file, std::span<const MapSet> lev
     if (levels.size() > 1 && lowerExtension(file) == ".png")
         throw InputError(file.string() +
                          ": a PNG file holds no MIP levels, expected .exr or .tif for them");
-    requireReadableSize(file, levels.front());
+    const MapSet& maps = levels.front();
+    requireReadableSize(file, maps.width(), maps.height(), maps.channels.size());
     for (const MapSet& level : levels)
         for (const Channel& channel : level.channels)
             checkStorable(file, channel, format);

@@ -24,6 +24,11 @@ void writeMapFile(const std::filesystem::path& file, const MapSet& maps, Storage
 void writeMapFile(const std::filesystem::path& file, std::span<const MapSet> levels,
                   StorageFormat format);
 
+/// Throws InputError, beginning with `file`, when a map file of this size would be one that
+/// readMapFile refuses. writeMapFile asks it; a caller may do so before the work.
+void requireReadableSize(const std::filesystem::path& file, int width, int height,
+                         std::size_t channels);
+
 /// Whether the image `file` says that it is a map file: it has an attribute called `relievo:…`.
 /// Throws InputError for what is no image.
 bool isMapFile(const std::filesystem::path& file);

@@ -8,10 +8,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <sstream>
 
 #include "preprocess/cone_encoding.h"
 #include "preprocess/conservative_cones.h"
 #include "preprocess/derivatives.h"
+#include "preprocess/displacement_factors.h"
+#include "preprocess/view_displacement.h"
 #include "tests/preprocess/bake_process.h"
 #include "tests/preprocess/cone_oracle.h"
 #include "textures/height_image.h"
@@ -169,10 +172,78 @@ TEST_F(Bake, RoofConesAreTheUsualOnesWhereTheyFit) {
 TEST_F(Bake, StagesAreToldUnlessQuiet) {
     const std::string height = sample("wave", "32x32");
     const ProcessResult loud = bake({"relief", height, "-o", folder.file("a.exr")});
-    for (const char* stage : {"read ", "cone ", "derivative ", "write ", "1024 texels"})
+    for (const char* stage : {"read ", "plan ", "cone ", "derivative ", "write ", "1024 texels"})
         EXPECT_THAT(loud.output, HasSubstr(stage));
     const ProcessResult quiet = bake({"relief", height, "-o", folder.file("a.exr"), "--quiet"});
     EXPECT_EQ(quiet.output + quiet.errors, "");
+}
+
+// The factors of a file with 16 azimuths, by its channels and attributes alone.
+DisplacementFactors factorsIn(const MapSet& maps, std::size_t terms) {
+    DisplacementFactors factors;
+    std::istringstream weights(maps.attributes.at("relievo:vdm-weights"));
+    for (std::size_t k = 0; k < terms * 16; ++k)
+        factors.factors.push_back(*maps.find("vdmfactor" + std::to_string(k)));
+    factors.weights.assign(terms, std::vector<float>(8 * 5));
+    for (std::vector<float>& term : factors.weights)
+        for (float& weight : term)
+            EXPECT_TRUE(weights >> weight);
+    return factors;
+}
+
+TEST_F(Bake, DisplacementsComeBackFromTheFile) {
+    const std::string height = sample("cobbles", "20x15");
+    const ViewGrid grid;
+    for (const std::string format : {"float", "half"}) {
+        const MapSet packed =
+            baked(height, "a.exr", {"--maps", "depth,vdm", "--vdm-terms", "5", "--format", format});
+        const MapSet whole =
+            baked(height, "b.exr", {"--maps", "depth,vdm", "--vdm-terms", "0", "--format", format});
+        const DisplacementFactors factors = factorsIn(packed, 5);
+        const std::vector<Plane> table = buildViewDisplacement(textures::depthMapOf(packed), grid);
+        double greatest = 0.0;
+        for (std::size_t view = 0; view < table.size(); ++view) {
+            const Plane& stored = *whole.find("vdm" + std::to_string(view));
+            for (std::size_t texel = 0; texel < stored.texels.size(); ++texel) {
+                const float truth = table[view].texels[texel];
+                ASSERT_EQ(stored.texels[texel] == kNoHit, truth == kNoHit);
+                ASSERT_LE(stored.texels[texel], truth);
+                ASSERT_GE(stored.texels[texel], truth - 1e-3f * std::abs(truth) - 1e-7f);
+                if (truth != kNoHit)
+                    greatest = std::max(
+                        greatest, std::abs(displacementOf(factors, grid, view, texel) - truth));
+            }
+        }
+        std::istringstream error(packed.attributes.at("relievo:vdm-error"));
+        double mean = 0.0;
+        double percentile = 0.0;
+        double stated = 0.0;
+        error >> mean >> percentile >> stated;
+        EXPECT_NEAR(greatest, stated, 1e-6 * stated);
+        EXPECT_TRUE(0.0 < mean && mean < percentile && percentile < stated);
+    }
+    EXPECT_THAT(bake({"info", folder.file("a.exr")}).output, HasSubstr("... ("));
+}
+
+TEST_F(Bake, SizesAreToldBeforeTheWork) {
+    const std::string height = sample("wave", "16x16");
+    const std::string out = folder.file("a.exr");
+    const std::string told = bake({"relief", height, "-o", out, "--maps", "vdm"}).output;
+    // 8·16 factors and 16·2 numbers of misses, of 1024 bytes each.
+    EXPECT_THAT(told, HasSubstr("640 views, 655360 bytes as a table, 163840 as 8 terms"));
+    EXPECT_LT(told.find("163840 bytes as floats"), told.find("\nvdm "));
+    EXPECT_EQ(textures::readMapFile(out).channels.size(), 160u);
+}
+
+TEST_F(Bake, TablesThatDoNotFitAreRefusedBeforeTheWork) {
+    const ProcessResult result =
+        bake({"relief", sample("wave", "512x512"), "-o", folder.file("a.exr"), "--maps", "vdm",
+              "--vdm-terms", "0", "--vdm-azimuths", "64", "--vdm-elevations", "16",
+              "--vdm-curvatures", "15"});
+    EXPECT_EQ(result.exitStatus, 1);
+    EXPECT_EQ(result.output, "");
+    EXPECT_THAT(result.errors, HasSubstr("15360 channels are too many for a map file, expected at "
+                                         "most 8 GiB"));
 }
 
 TEST_F(Bake, WhatIsUpToDateIsLeftAlone) {

@@ -73,6 +73,17 @@ TEST(MemoryNeed, CountsEverySliceOfAVolume) {
     EXPECT_DOUBLE_EQ(memoryPerTexel(many), memoryPerTexel(few) + 400.0);
 }
 
+TEST(MemoryNeed, CountsTheTableOfDisplacementsBesideItsFactors) {
+    ReliefPlan table;
+    table.maps = {"vdm"};
+    table.terms = 0;
+    ReliefPlan packed = table;
+    packed.terms = 8;
+    const double factors = 8.0 * 16.0 + 16.0 * 2.0;  // 16 azimuths, 2 curvatures above 0
+    EXPECT_DOUBLE_EQ(memoryPerTexel(packed), memoryPerTexel(table) + 4.0 * factors);
+    EXPECT_GT(memoryPerTexel(table), 4.0 * 640.0);
+}
+
 TEST(MemoryNeed, MoreThanThereIsIsRefusedWithBothAmounts) {
     const ReliefPlan plan;
     const std::uint64_t need = memoryNeed(plan, 4096, 4096);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <set>
@@ -136,7 +137,7 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
         plan.maps = {"depth", "normal"};
         plan.normalScale = 0.7;
     });
-    for (const std::string map : {"occlusion", "ellipse", "horizon", "volume", "extrema"})
+    for (const std::string map : {"occlusion", "ellipse", "horizon", "volume", "extrema", "vdm"})
         expectNew([&](ReliefPlan& plan) { plan.maps = {map}; });
     for (const std::string map : {"occlusion", "ellipse", "horizon"})
         expectNew([&](ReliefPlan& plan) {
@@ -155,6 +156,37 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
         plan.maps = {"extrema"};
         plan.reach = 1;
     });
+    const auto expectNewViews = [&](auto change) {
+        expectNew([&](ReliefPlan& plan) {
+            plan.maps = {"vdm"};
+            change(plan);
+        });
+    };
+    expectNewViews([](ReliefPlan& plan) { plan.views.azimuths = 7; });
+    expectNewViews([](ReliefPlan& plan) { plan.views.elevations = 7; });
+    expectNewViews([](ReliefPlan& plan) { plan.views.curvatures = 7; });
+    expectNewViews([](ReliefPlan& plan) { plan.views.sharpest = 7; });
+    expectNewViews([](ReliefPlan& plan) { plan.views.depthScale = 7; });
+    expectNewViews([](ReliefPlan& plan) { plan.terms = 7; });
+}
+
+TEST(ReliefBaker, DisplacementsAreFactorsOrTheTable) {
+    ReliefPlan plan;
+    plan.maps = {"vdm"};
+    plan.views.azimuths = 5;
+    plan.views.elevations = 2;
+    plan.terms = 3;
+    const MapSet packed = bakeRelief(hills(6, 4), plan);
+    EXPECT_EQ(packed.channels.size(), 3u * 5u + 5u * 2u);
+    EXPECT_EQ(packed.attributes.at("relievo:vdm-views"), "5 2 5");
+    const std::string& weights = packed.attributes.at("relievo:vdm-weights");
+    EXPECT_EQ(std::count(weights.begin(), weights.end(), ' ') + 1, 3 * 2 * 5);
+    plan.terms = 0;
+    plan.mips = true;
+    for (const MapSet& level : bakeLevels(hills(6, 4), plan)) {
+        EXPECT_EQ(level.channels.size(), plan.views.views());
+        EXPECT_FALSE(level.attributes.contains("relievo:vdm-weights"));
+    }
 }
 
 TEST(ReliefBaker, OcclusionIsTheSameWithAndWithoutTheHorizonsInTheFile) {
@@ -201,6 +233,32 @@ TEST(ReliefBaker, ImpossiblePlansAreTold) {
                     plan.format = StorageFormat::U16;
                 }),
                 HasSubstr("7 channels"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.views.azimuths = 2; }),
+                HasSubstr("--vdm-azimuths"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.views.elevations = 0; }),
+                HasSubstr("--vdm-elevations"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.views.curvatures = 4; }),
+                HasSubstr("--vdm-curvatures: expected an odd number"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.views.sharpest = -1.0; }),
+                HasSubstr("--vdm-range"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.views.depthScale = 0.0; }),
+                HasSubstr("--vdm-scale"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.terms = -1; }), HasSubstr("--vdm-terms"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.views.azimuths = kMostAzimuths;
+                    plan.views.elevations = kMostElevations;
+                }),
+                HasSubstr("81920 views, expected at most 16384"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.maps = {"vdm"};
+                    plan.mips = true;
+                }),
+                HasSubstr("--mips: the map vdm"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) {
+                    plan.maps = {"vdm"};
+                    plan.format = StorageFormat::U16;
+                }),
+                HasSubstr(".exr files only"));
     EXPECT_THAT(problem([](ReliefPlan& plan) { plan.normalScale = std::nan(""); }),
                 HasSubstr("--normal-scale"));
 }
