@@ -120,7 +120,7 @@ std::string buildByRays(const MapRequest& request, MapSet& maps) {
 }
 
 constexpr ConeKind kKinds[] = {
-    {"conservative", "bilinear", "exact", true, 24.0, surfaceConeChannels,
+    {"conservative", "bilinear", "exact", true, 28.0, surfaceConeChannels,
      buildConservative<ConeGuarantee::Bilinear>},
     {"conservative", "texel", "exact", true, 16.0, surfaceConeChannels,
      buildConservative<ConeGuarantee::Texel>},

@@ -91,15 +91,15 @@ class SquareSearch {
 }  // namespace
 
 textures::Plane buildConesBySquares(const textures::DepthMap& map,
-                                    const std::function<void(std::size_t)>& advance, int rowStep) {
-    textures::Plane ratio(map.width(), (map.height() + rowStep - 1) / rowStep);
-    tbb::parallel_for(0, ratio.height, [&](int row) {
-        for (int i = 0; i < map.width(); ++i) {
-            const double texels = std::sqrt(SquareSearch(map, i, row * rowStep).search());
-            ratio.at(i, row) = roundDown(belowRounding(texels / map.width()));
+                                    const std::function<void(std::size_t)>& advance, int step) {
+    textures::Plane ratio((map.width() + step - 1) / step, (map.height() + step - 1) / step);
+    tbb::parallel_for(0, ratio.height, [&](int j) {
+        for (int i = 0; i < ratio.width; ++i) {
+            const double texels = std::sqrt(SquareSearch(map, i * step, j * step).search());
+            ratio.at(i, j) = roundDown(belowRounding(texels / map.width()));
         }
         if (advance)
-            advance(static_cast<std::size_t>(map.width()));
+            advance(static_cast<std::size_t>(ratio.width));
     });
     return ratio;
 }

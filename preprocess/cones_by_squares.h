@@ -16,10 +16,10 @@ namespace relievo::preprocess {
 ///
 /// Units, rounding, unlimited cones and `advance` are those of buildConservativeCones.
 ///
-/// With a `rowStep` above 1 only every rowStep-th row is built, from the first on, and the result
-/// has no more rows than that: a sample, of maps that would take too long.
+/// With a `step` above 1 only every step-th texel of every step-th row is built, from the first on,
+/// and the result has no more texels than that: a sample, of maps that would take too long.
 textures::Plane buildConesBySquares(const textures::DepthMap& map,
                                     const std::function<void(std::size_t)>& advance = {},
-                                    int rowStep = 1);
+                                    int step = 1);
 
 }  // namespace relievo::preprocess

@@ -26,7 +26,8 @@ enum class ConeGuarantee {
 /// (LINEAR) never passes the surface.
 ///
 /// Near chords are tried all (chord_table.h, bilinear_slopes.h), far ones are searched in a
-/// quadtree (slope_search.h). Memory: 15 bytes a texel besides map and result, 23 for Bilinear.
+/// quadtree (slope_search.h). Memory: 10 bytes a texel besides map and result, 28 for
+/// Bilinear.
 ///
 /// `advance`, when given, is called from any thread with the number of texels just finished.
 textures::Plane buildConservativeCones(const textures::DepthMap& map, ConeGuarantee guarantee,

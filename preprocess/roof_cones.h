@@ -35,7 +35,7 @@ struct RoofConeRules {
 ///
 /// Never above the true ratio; under it by 6 % at most, for cells far away by 3 %: chords end at
 /// samples, with the correction that makes those bound the patches between them
-/// (bilinear_slopes.h). Memory: 15 bytes a texel besides map and layers.
+/// (bilinear_slopes.h). Memory: 10 bytes a texel besides map and layers.
 ///
 /// `advance` is called with the number of cells just finished, `sectors` times the map in all.
 std::vector<RoofConeLayer> buildRoofCones(const textures::DepthMap& map, const RoofConeRules& rules,

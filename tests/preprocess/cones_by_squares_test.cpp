@@ -52,15 +52,17 @@ TEST(ConesBySquares, FollowTheShapeOfTexels) {
     EXPECT_NE(buildConesBySquares(forgotten).texels, ratio.texels);
 }
 
-TEST(ConesBySquares, OfSomeRowsAreThoseOfAllRows) {
+TEST(ConesBySquares, OfSomeTexelsAreThoseOfAllTexels) {
     const DepthMap map = noiseMap(13, 20, WrapMode::Repeat, 2);
     const Plane all = buildConesBySquares(map);
     for (const int step : {2, 3, 7, 20, 21}) {
         const Plane some = buildConesBySquares(map, {}, step);
+        ASSERT_EQ(some.width, (13 + step - 1) / step);
         ASSERT_EQ(some.height, (20 + step - 1) / step);
-        for (int row = 0; row < some.height; ++row)
-            for (int i = 0; i < 13; ++i)
-                EXPECT_EQ(some.at(i, row), all.at(i, row * step)) << step << " " << row;
+        for (int j = 0; j < some.height; ++j)
+            for (int i = 0; i < some.width; ++i)
+                EXPECT_EQ(some.at(i, j), all.at(i * step, j * step))
+                    << step << " " << i << " " << j;
     }
 }
 
