@@ -1,11 +1,11 @@
 #include "bench/bake_benchmark.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "bench/allocated_memory.h"
 #include "bench/bake_builders.h"
 #include "bench/stopwatch.h"
 #include "commands/program.h"
@@ -17,18 +17,41 @@ namespace relievo::bench {
 
 namespace {
 
-bool exceeds(const BakeBuilder& builder, int size) {
-    return builder.largestSize > 0 && size > builder.largestSize;
+bool exceeds(const BakeBuilder& builder, int size, const BakeBenchmarkOptions& options) {
+    return !options.hasNoLimits && builder.largestSize > 0 && size > builder.largestSize;
 }
 
-// Runs `builder` and takes what it says of its work, per texel of the map. Checking distances is
+constexpr double kEnoughSeconds = 2.0;
+
+// Runs `builder` `repeat` times, or until there is enough to go by, and keeps the last result.
+BakeOutput run(const BakeBuilder& builder, const BakeInput& input, int repeat,
+               BakeMeasurement& measurement) {
+    BakeOutput output;
+    double total = 0.0;
+    measurement.seconds = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < repeat && total < kEnoughSeconds; ++k) {
+        output = {};
+        forgetMostAllocatedBytes();
+        const double seconds = secondsOf([&] { output = builder.build(input); });
+        total += seconds;
+        measurement.seconds = std::min(measurement.seconds, seconds);
+    }
+    // What is allocated now is input and result.
+    if (output.ratios || output.doubtfulDistances || output.others.has_value())
+        measurement.workingBytes = static_cast<double>(mostAllocatedBytes() - allocatedBytes()) /
+                                   static_cast<double>(input.map.depth.texels.size());
+    return output;
+}
+
+// Runs `builder` and takes what it says of its work, per texel that it built. Checking distances is
 // not part of the time.
 BakeMeasurement measure(const BakeBuilder& builder, const BakeInput& input, int repeat) {
-    BakeOutput output;
     BakeMeasurement measurement;
     measurement.builder = builder.name;
-    measurement.seconds = leastSeconds(repeat, [&] { output = builder.build(input); });
-    const auto texels = static_cast<double>(input.map.depth.texels.size());
+    const BakeOutput output = run(builder, input, repeat, measurement);
+    measurement.builtTexels =
+        static_cast<std::int64_t>((output.ratios ? *output.ratios : input.map.depth).texels.size());
+    const auto texels = static_cast<double>(measurement.builtTexels);
     if (output.search) {
         measurement.nodesPerTexel = static_cast<double>(output.search->nodes) / texels;
         measurement.samplesPerTexel = static_cast<double>(output.search->samples) / texels;
@@ -49,17 +72,18 @@ BakeMeasurement measure(const BakeBuilder& builder, const BakeInput& input, int 
     return measurement;
 }
 
-// Whether `builder` can be measured at some size of the options; says what is left out and why.
-bool isMeasured(const BakeBuilder& builder, const std::vector<int>& sizes) {
-    if (builder.build == nullptr) {
+// Whether `builder` can be measured at all; says what is left out and why.
+bool isMeasured(const BakeBuilder& builder, const BakeBenchmarkOptions& options) {
+    if (!builder.build) {
         commands::note(fmt::format(
             "{} is left out: the library was not found when the program was built", builder.name));
         return false;
     }
-    for (const int size : sizes)
-        if (exceeds(builder, size))
+    for (const int size : options.sizes)
+        if (exceeds(builder, size, options))
             commands::note(
-                fmt::format("{} is left out at {}x{}: at most {}x{} do not take too long",
+                fmt::format("{} is left out at {}x{}: it takes long above {}x{} "
+                            "(--no-limits measures it)",
                             builder.name, size, size, builder.largestSize, builder.largestSize));
     return true;
 }
@@ -72,11 +96,9 @@ ReportCell cellOf(const std::optional<Value>& value) {
 }  // namespace
 
 std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options) {
-    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(allowedThreads(options)));
     std::vector<const BakeBuilder*> builders;
     for (const std::string& name : options.builders)
-        if (isMeasured(bakeBuilder(name), options.sizes))
+        if (isMeasured(bakeBuilder(name), options))
             builders.push_back(&bakeBuilder(name));
     commands::Progress progress("maps",
                                 options.samples.size() * options.sizes.size() * builders.size());
@@ -86,7 +108,7 @@ std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options) {
             const BakeInput input =
                 makeBakeInput(textures::generateSampleRelief(sample, size, size));
             for (const BakeBuilder* builder : builders) {
-                if (!exceeds(*builder, size)) {
+                if (!exceeds(*builder, size, options)) {
                     measurements.push_back(measure(*builder, input, options.repeat));
                     measurements.back().sample = sample;
                     measurements.back().size = size;
@@ -97,10 +119,6 @@ std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options) {
     return measurements;
 }
 
-int allowedThreads(const BakeBenchmarkOptions& options) {
-    return options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency();
-}
-
 ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
     ReportTable table;
     table.columns = {{"sample", "sample"},
@@ -108,6 +126,9 @@ ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
                      {"size", "size"},
                      {"milliseconds", "ms"},
                      {"nanosecondsPerTexel", "ns/texel"},
+                     {"megatexelsPerSecond", "Mtexel/s"},
+                     {"builtTexels", "texels"},
+                     {"workingBytesPerTexel", "bytes/texel"},
                      {"nodesPerTexel", "nodes/texel"},
                      {"samplesPerTexel", "samples/texel"},
                      {"meanRatio", "mean ratio"},
@@ -115,7 +136,8 @@ ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
                      {"greatestError", "greatest error"}};
     for (const BakeMeasurement& m : measurements)
         table.rows.push_back({m.sample, m.builder, std::int64_t{m.size}, 1e3 * m.seconds,
-                              m.nanosecondsPerTexel(), cellOf(m.nodesPerTexel),
+                              m.nanosecondsPerTexel(), m.megatexelsPerSecond(), m.builtTexels,
+                              cellOf(m.workingBytes), cellOf(m.nodesPerTexel),
                               cellOf(m.samplesPerTexel), cellOf(m.meanRatio), cellOf(m.wrongTexels),
                               cellOf(m.greatestError)});
     return table;

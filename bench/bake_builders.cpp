@@ -1,59 +1,36 @@
 #include "bench/bake_builders.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "bench/opencv_distances.h"
+#include "preprocess/cone_kinds.h"
 #include "preprocess/cones_by_levels.h"
 #include "preprocess/cones_by_squares.h"
+#include "preprocess/map_kinds.h"
 #include "preprocess/normals.h"
 #include "preprocess/quick_cones.h"
 #include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
+#include "preprocess/relief_baker.h"
 #include "preprocess/roof_cones.h"
 #include "preprocess/sequential_distances.h"
 
 namespace relievo::bench {
 namespace {
 
-BakeOutput buildDerivatives(const BakeInput& input) {
-    preprocess::buildDerivatives(input.map);
-    return {};
-}
+using preprocess::buildConservativeCones;
+using preprocess::buildRelaxedCones;
+using preprocess::ConeGuarantee;
 
-template <int kSectors>
-BakeOutput buildRoofs(const BakeInput& input) {
-    preprocess::buildRoofCones(input.map, {.sectors = kSectors});
-    return {};
-}
-
-BakeOutput buildNormals(const BakeInput& input) {
-    preprocess::buildNormals(input.derivatives, 0.1);
-    return {};
-}
-
-BakeOutput buildDistances(const BakeInput& input) {
-    preprocess::distancesTo(input.raised, input.map.width(), input.map.height(), input.map.wrap);
-    return {};
-}
-
-BakeOutput buildSequentialDistances(const BakeInput& input) {
+template <typename Maps>
+BakeOutput otherOutput(Maps maps) {
     BakeOutput output;
-    output.doubtfulDistances = preprocess::sequentialDistances(input.raised, input.map.width(),
-                                                               input.map.height(), input.map.wrap);
-    return output;
-}
-
-template <auto kBuild, preprocess::ConeGuarantee kGuarantee>
-BakeOutput buildExactCones(const BakeInput& input) {
-    BakeOutput output;
-    output.search.emplace();
-    output.ratios = kBuild(input.map, kGuarantee, {}, &*output.search);
+    output.others = std::move(maps);
     return output;
 }
 
@@ -63,16 +40,59 @@ BakeOutput coneOutput(textures::Plane ratios) {
     return output;
 }
 
+BakeOutput buildDerivatives(const BakeInput& input) {
+    return otherOutput(preprocess::buildDerivatives(input.map));
+}
+
+BakeOutput buildNormals(const BakeInput& input) {
+    return otherOutput(preprocess::buildNormals(input.derivatives, 0.1));
+}
+
+BakeOutput buildDistances(const BakeInput& input) {
+    return otherOutput(preprocess::distancesTo(input.raised, input.map.width(), input.map.height(),
+                                               input.map.wrap));
+}
+
+BakeOutput buildSequentialDistances(const BakeInput& input) {
+    BakeOutput output;
+    output.doubtfulDistances = preprocess::sequentialDistances(input.raised, input.map.width(),
+                                                               input.map.height(), input.map.wrap);
+    return output;
+}
+
+template <auto kBuild, ConeGuarantee kGuarantee>
+BakeOutput buildExactCones(const BakeInput& input) {
+    BakeOutput output;
+    output.search.emplace();
+    output.ratios = kBuild(input.map, kGuarantee, {}, &*output.search);
+    return output;
+}
+
 BakeOutput buildConesByLevels(const BakeInput& input) {
     return coneOutput(preprocess::buildConesByLevels(input.map));
 }
 
+// Quadratic: of larger maps only so many texels are built, on a lattice. An odd number of texels
+// apart, they meet the features of a relief that repeats them at many places.
 BakeOutput buildConesBySquares(const BakeInput& input) {
-    return coneOutput(preprocess::buildConesBySquares(input.map));
+    constexpr double kMostTexels = 4096;
+    const auto texels = static_cast<double>(input.map.depth.texels.size());
+    const int step =
+        texels <= kMostTexels ? 1 : static_cast<int>(std::sqrt(texels / kMostTexels)) | 1;
+    return coneOutput(preprocess::buildConesBySquares(input.map, {}, step));
 }
 
 BakeOutput buildQuickCones(const BakeInput& input) {
     return coneOutput(preprocess::buildQuickCones(input.map));
+}
+
+template <int kSectors>
+BakeOutput buildRoofs(const BakeInput& input) {
+    BakeOutput output;
+    output.search.emplace();
+    output.others =
+        preprocess::buildRoofCones(input.map, {.sectors = kSectors}, {}, &*output.search);
+    return output;
 }
 
 BakeOutput buildRelaxedByMaxima(const BakeInput& input) {
@@ -83,36 +103,98 @@ BakeOutput buildRelaxedByRays(const BakeInput& input) {
     return coneOutput(preprocess::buildRelaxedConesByRays(input.map));
 }
 
-constexpr std::array kBuilders{
-    BakeBuilder{"derivatives", "derivative map from the depth map", 0, buildDerivatives},
-    BakeBuilder{"normals", "normal map from the derivative map", 0, buildNormals},
-    BakeBuilder{"distances", "exact distances to the upper half", 0, buildDistances},
-    BakeBuilder{"distances-4sed", "the same by 4SED", 0, buildSequentialDistances},
-    BakeBuilder{"distances-opencv", "the same by OpenCV, never repeated", 0, kOpenCvDistances},
-    BakeBuilder{
-        "cones-bilinear", "conservative cones, safe on the bilinear surface", 0,
-        buildExactCones<preprocess::buildConservativeCones, preprocess::ConeGuarantee::Bilinear>},
-    BakeBuilder{
-        "cones-texel", "conservative cones between texel centres", 0,
-        buildExactCones<preprocess::buildConservativeCones, preprocess::ConeGuarantee::Texel>},
-    BakeBuilder{"cones-levels", "conservative cones by 256 depth levels", 0, buildConesByLevels},
-    BakeBuilder{"cones-squares", "conservative cones by growing squares", 1024,
-                buildConesBySquares},
-    BakeBuilder{"cones-quick", "narrower conservative cones by one walk up the pyramid", 0,
-                buildQuickCones},
-    BakeBuilder{"roof-1", "roof cones of 1 sector", 0, buildRoofs<1>},
-    BakeBuilder{"roof-4", "roof cones of 4 sectors", 0, buildRoofs<4>},
-    BakeBuilder{"roof-8", "roof cones of 8 sectors", 0, buildRoofs<8>},
-    BakeBuilder{
-        "relaxed-bilinear", "relaxed cones, safe on the bilinear surface", 0,
-        buildExactCones<preprocess::buildRelaxedCones, preprocess::ConeGuarantee::Bilinear>},
-    BakeBuilder{"relaxed-texel", "relaxed cones between texel centres", 0,
-                buildExactCones<preprocess::buildRelaxedCones, preprocess::ConeGuarantee::Texel>},
-    BakeBuilder{"relaxed-maxima", "relaxed cones by 256 levels of local maxima", 0,
-                buildRelaxedByMaxima},
-    BakeBuilder{"relaxed-policarpo", "relaxed cones by rays between all texels", 64,
-                buildRelaxedByRays},
-};
+// --- Entries -----------------------------------------------------------------------------------
+
+// What relievo-bake counts on for cones in these words.
+double statedBytes(const char* cone, const char* guarantee, const char* method) {
+    preprocess::ReliefPlan plan;
+    plan.cone = cone;
+    plan.guarantee = guarantee;
+    plan.method = method;
+    return preprocess::findConeKind(plan)->workingBytes;
+}
+
+// Limits of size are such that all builders together take minutes, not hours, on a relief of 4096².
+constexpr std::string_view kDistances = "distances";
+constexpr std::string_view kCones = "cones";
+constexpr std::string_view kRelaxed = "relaxed cones";
+
+std::vector<BakeBuilder> surfaceBuilders() {
+    return {
+        {"derivatives", "derivative map from the depth map", buildDerivatives},
+        {"normals", "normal map from the derivative map", buildNormals},
+        {"distances", "exact distances to the upper half", buildDistances, 0, kDistances},
+        {"distances-4sed", "the same by 4SED", buildSequentialDistances, 0, kDistances, true},
+        {"distances-opencv", "the same by OpenCV, never repeated", kOpenCvDistances, 0, kDistances,
+         true},
+    };
+}
+
+std::vector<BakeBuilder> coneBuilders() {
+    return {
+        {"cones-bilinear", "conservative cones, safe on the bilinear surface",
+         buildExactCones<buildConservativeCones, ConeGuarantee::Bilinear>, 0, kCones, false,
+         statedBytes("conservative", "bilinear", "exact")},
+        {"cones-texel", "conservative cones between texel centres",
+         buildExactCones<buildConservativeCones, ConeGuarantee::Texel>, 0, kCones, false,
+         statedBytes("conservative", "texel", "exact")},
+        {"cones-levels", "conservative cones by 256 depth levels", buildConesByLevels, 1024, kCones,
+         true, statedBytes("conservative", "texel", "levels")},
+        {"cones-squares", "conservative cones by growing squares, of larger maps for some texels",
+         buildConesBySquares, 1024, kCones, true, statedBytes("conservative", "texel", "squares")},
+        {"cones-quick", "narrower conservative cones by one walk up the pyramid", buildQuickCones,
+         1024, kCones, true, statedBytes("conservative", "texel", "quick")},
+        {"roof-1", "roof cones of 1 sector", buildRoofs<1>, 0, "", false,
+         statedBytes("roof", "", "")},
+        {"roof-4", "roof cones of 4 sectors", buildRoofs<4>, 2048, "", false,
+         statedBytes("roof", "", "")},
+        {"roof-8", "roof cones of 8 sectors", buildRoofs<8>, 1024, "", false,
+         statedBytes("roof", "", "")},
+        {"relaxed-bilinear", "relaxed cones, safe on the bilinear surface",
+         buildExactCones<buildRelaxedCones, ConeGuarantee::Bilinear>, 2048, kRelaxed, false,
+         statedBytes("relaxed", "bilinear", "")},
+        {"relaxed-texel", "relaxed cones between texel centres",
+         buildExactCones<buildRelaxedCones, ConeGuarantee::Texel>, 2048, kRelaxed, false,
+         statedBytes("relaxed", "texel", "")},
+        {"relaxed-maxima", "relaxed cones by 256 levels of local maxima", buildRelaxedByMaxima, 512,
+         kRelaxed, true, statedBytes("relaxed", "none", "maxima")},
+        {"relaxed-policarpo", "relaxed cones by rays between all texels", buildRelaxedByRays, 64,
+         kRelaxed, true, statedBytes("relaxed", "none", "policarpo")},
+    };
+}
+
+// A map of `relievo-bake relief` with its usual options.
+BakeBuilder mapBuilder(const preprocess::MapKind& kind) {
+    preprocess::ReliefPlan plan;
+    plan.maps = {std::string(kind.name)};
+    const auto build = [&kind, plan](const BakeInput& input) {
+        textures::MapSet maps;
+        kind.build({input.map, plan, {}}, maps);
+        return otherOutput(std::move(maps));
+    };
+    BakeBuilder builder{std::string(kind.name), std::string(kind.description), build, 512};
+    builder.statedBytes = kind.workingBytes(plan);
+    return builder;
+}
+
+// All that `relievo-bake relief` makes when it is not told which maps, besides reading and writing.
+BakeOutput buildUsualMaps(const BakeInput& input) {
+    preprocess::ReliefPlan plan;
+    plan.cone = preprocess::usualCone(plan);
+    return otherOutput(preprocess::bakeRelief(input.map, plan));
+}
+
+std::vector<BakeBuilder> makeBuilders() {
+    std::vector<BakeBuilder> builders = surfaceBuilders();
+    for (BakeBuilder& builder : coneBuilders())
+        builders.push_back(std::move(builder));
+    for (const preprocess::MapKind& kind : preprocess::mapKinds())
+        if (kind.name != "depth" && kind.name != "derivative" && kind.name != "normal" &&
+            kind.name != "cone")
+            builders.push_back(mapBuilder(kind));
+    builders.push_back({"relief", "the usual maps of relievo-bake relief", buildUsualMaps, 2048});
+    return builders;
+}
 
 std::vector<std::uint8_t> texelsAboveMedian(const textures::Plane& depth) {
     std::vector<float> depths = depth.texels;
@@ -140,13 +222,13 @@ BakeInput makeBakeInput(textures::DepthMap map) {
 }
 
 std::span<const BakeBuilder> bakeBuilders() {
-    return kBuilders;
+    static const std::vector<BakeBuilder> builders = makeBuilders();
+    return builders;
 }
 
 const BakeBuilder& bakeBuilder(std::string_view name) {
-    const auto found = std::find_if(kBuilders.begin(), kBuilders.end(),
-                                    [&](const BakeBuilder& entry) { return entry.name == name; });
-    if (found == kBuilders.end())
+    const auto found = std::ranges::find(bakeBuilders(), name, &BakeBuilder::name);
+    if (found == bakeBuilders().end())
         throw std::invalid_argument("no map builder is called " + std::string(name));
     return *found;
 }

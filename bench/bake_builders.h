@@ -1,8 +1,11 @@
 #pragma once
 
+#include <any>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,24 +30,32 @@ struct BakeInput {
 /// The input made of a relief.
 BakeInput makeBakeInput(textures::DepthMap map);
 
-/// What is measured of a result besides the time. Where a builder has none of it, it is left empty.
+/// What a builder made. Where it has none of what is measured, that is left empty.
 struct BakeOutput {
-    std::optional<textures::Plane> ratios;                          ///< of cones
+    /// Of cones; with fewer texels than the map when only some of them were built.
+    std::optional<textures::Plane> ratios;
     std::optional<preprocess::SlopeSearchStatistics> search;        ///< the work of a cone search
     std::optional<preprocess::SquaredDistances> doubtfulDistances;  ///< to be checked
+    std::any others;  ///< maps of which nothing is measured, but that are output all the same
 };
 
-/// A map builder that can be measured. Adding one is an entry in bake_builders.cpp.
+/// A map builder that can be measured. Adding one is an entry in bake_builders.cpp; maps that
+/// `relievo-bake relief` learns to build are there by themselves.
 struct BakeBuilder {
-    std::string_view name;
-    std::string_view description;
-    /// Larger maps take too long: N×N texels; 0 for no limit.
-    int largestSize = 0;
-    /// Null when the program was built without what it needs.
-    BakeOutput (*build)(const BakeInput& input) = nullptr;
+    std::string name;
+    std::string description;
+    /// Empty when the program was built without what it needs.
+    std::function<BakeOutput(const BakeInput& input)> build;
+    int largestSize = 0;  ///< larger maps take longer than most want to wait: N×N; 0: no limit
+    /// What it builds, where there are several ways to: builders of one product are compared.
+    std::string_view product = {};
+    bool isBaseline = false;  ///< what the others of that product are compared with
+    /// Bytes a texel besides map and result that relievo-bake counts on before it starts.
+    std::optional<double> statedBytes = {};
 };
 
-/// Derivatives, normals, distances and all kinds of cones.
+/// Derivatives, normals, distances, all kinds of cones, the other maps of `relievo-bake relief`,
+/// and all that it builds by default.
 std::span<const BakeBuilder> bakeBuilders();
 
 /// The builder of this name; throws std::invalid_argument when there is none.

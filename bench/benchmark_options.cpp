@@ -33,6 +33,8 @@ void addRepeatOption(CLI::App& command, int& repeat) {
 void addReportOptions(CLI::App& command, ReportPaths& paths) {
     command.add_option("--json", paths.json, "Write the report to this file as JSON")
         ->type_name("FILE");
+    command.add_option("--markdown", paths.markdown, "Write tables to this file as Markdown")
+        ->type_name("FILE.md");
     command.add_option("--plot", paths.plot, "Draw the report to this SVG file, with gnuplot")
         ->type_name("FILE.svg");
 }

@@ -19,7 +19,7 @@ void addSamplesOption(CLI::App& command, std::vector<std::string>& samples);
 /// Adds `--repeat`.
 void addRepeatOption(CLI::App& command, int& repeat);
 
-/// Adds `--json` and `--plot`.
+/// Adds `--json`, `--markdown` and `--plot`.
 void addReportOptions(CLI::App& command, ReportPaths& paths);
 
 }  // namespace relievo::bench

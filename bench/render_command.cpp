@@ -59,16 +59,18 @@ void RenderCommand::run() const {
     const RenderReport report = measureRender(options_);
     const ReportTable table = renderTable(report.measurements);
     commands::answer(formatTable(table));
-    files.write({{"benchmark", "render"},
-                 {"version", textures::kVersion},
-                 {"renderer", report.renderer},
-                 {"size", options_.size},
-                 {"frame", options_.frame},
-                 {"depthScale", options_.depthScale},
-                 {"azimuth", options_.azimuth},
-                 {"repeat", options_.repeat},
-                 {"rows", rowsAsJson(table)}},
-                renderPlot(report.measurements, plotAgainst_));
+    files.write({.json = {{"benchmark", "render"},
+                          {"version", textures::kVersion},
+                          {"renderer", report.renderer},
+                          {"size", options_.size},
+                          {"frame", options_.frame},
+                          {"depthScale", options_.depthScale},
+                          {"azimuth", options_.azimuth},
+                          {"repeat", options_.repeat},
+                          {"rows", rowsAsJson(table)}},
+                 .plot = renderPlot(report.measurements, plotAgainst_),
+                 .title = "relievo-bench render",
+                 .sections = {{"Every relief", "On " + report.renderer + ".", table}}});
 }
 
 }  // namespace relievo::bench

@@ -9,6 +9,15 @@
 
 namespace relievo::bench {
 
+namespace {
+
+void writeText(textures::AtomicFile& file, const std::string& text) {
+    file.writeAt(0, std::as_bytes(std::span(text)));
+    file.commit();
+}
+
+}  // namespace
+
 ReportFiles::ReportFiles(const ReportPaths& paths) {
     if (!paths.plot.empty()) {
         if (paths.plot.extension() != ".svg")
@@ -20,16 +29,17 @@ ReportFiles::ReportFiles(const ReportPaths& paths) {
     }
     if (!paths.json.empty())
         json_.emplace(paths.json);
+    if (!paths.markdown.empty())
+        markdown_.emplace(paths.markdown);
 }
 
-void ReportFiles::write(const nlohmann::ordered_json& report, const Plot& plot) {
-    if (json_) {
-        const std::string text = report.dump(2) + "\n";
-        json_->writeAt(0, std::as_bytes(std::span(text)));
-        json_->commit();
-    }
+void ReportFiles::write(const Report& report) {
+    if (json_)
+        writeText(*json_, report.json.dump(2) + "\n");
+    if (markdown_)
+        writeText(*markdown_, markdownDocument(report.title, report.sections));
     if (plot_) {
-        drawPlot(plot, plot_->path());
+        drawPlot(report.plot, plot_->path());
         plot_->commit();
     }
 }

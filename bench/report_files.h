@@ -3,8 +3,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "bench/gnuplot.h"
+#include "bench/markdown.h"
 #include "textures/atomic_file.h"
 
 namespace relievo::bench {
@@ -13,6 +16,15 @@ namespace relievo::bench {
 struct ReportPaths {
     std::filesystem::path json;
     std::filesystem::path plot;
+    std::filesystem::path markdown;
+};
+
+/// What the files hold.
+struct Report {
+    nlohmann::ordered_json json;
+    Plot plot;
+    std::string title;                    ///< of the Markdown
+    std::vector<ReportSection> sections;  ///< likewise
 };
 
 /// The files of a report. They are created before the measurement, so that what would make a long
@@ -24,11 +36,12 @@ class ReportFiles {
     explicit ReportFiles(const ReportPaths& paths);
 
     /// Writes the files that were asked for.
-    void write(const nlohmann::ordered_json& report, const Plot& plot);
+    void write(const Report& report);
 
   private:
     std::optional<textures::AtomicFile> json_;
     std::optional<textures::AtomicFile> plot_;
+    std::optional<textures::AtomicFile> markdown_;
 };
 
 }  // namespace relievo::bench

@@ -9,16 +9,6 @@ namespace relievo::bench {
 
 namespace {
 
-std::string cellText(const ReportCell& cell, int significantDigits) {
-    if (const auto* text = std::get_if<std::string>(&cell))
-        return *text;
-    if (const auto* integer = std::get_if<std::int64_t>(&cell))
-        return fmt::format("{}", *integer);
-    if (const auto* number = std::get_if<double>(&cell))
-        return fmt::format("{:.{}g}", *number, significantDigits);
-    return "-";
-}
-
 nlohmann::ordered_json cellJson(const ReportCell& cell) {
     return std::visit(
         [](const auto& value) -> nlohmann::ordered_json {
@@ -30,13 +20,23 @@ nlohmann::ordered_json cellJson(const ReportCell& cell) {
         cell);
 }
 
-bool isWords(const ReportTable& table, std::size_t column) {
+}  // namespace
+
+std::string cellText(const ReportCell& cell, const ReportColumn& column) {
+    if (const auto* text = std::get_if<std::string>(&cell))
+        return *text;
+    if (const auto* integer = std::get_if<std::int64_t>(&cell))
+        return fmt::format("{}", *integer);
+    if (const auto* number = std::get_if<double>(&cell))
+        return fmt::format("{:.{}g}", *number, column.significantDigits);
+    return "-";
+}
+
+bool isTextColumn(const ReportTable& table, std::size_t column) {
     return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
         return std::holds_alternative<std::string>(row[column]);
     });
 }
-
-}  // namespace
 
 std::string formatTable(const ReportTable& table) {
     std::vector<std::vector<std::string>> lines(1 + table.rows.size());
@@ -45,10 +45,10 @@ std::string formatTable(const ReportTable& table) {
         std::size_t width = table.columns[c].heading.size();
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
             assert(table.rows[r].size() == table.columns.size());
-            lines[r + 1].push_back(cellText(table.rows[r][c], table.columns[c].significantDigits));
+            lines[r + 1].push_back(cellText(table.rows[r][c], table.columns[c]));
             width = std::max(width, lines[r + 1].back().size());
         }
-        const bool left = isWords(table, c);
+        const bool left = isTextColumn(table, c);
         for (auto& line : lines)
             line[c] = left ? fmt::format("{:<{}}", line[c], width)
                            : fmt::format("{:>{}}", line[c], width);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,6 +24,12 @@ struct ReportTable {
     std::vector<ReportColumn> columns;
     std::vector<std::vector<ReportCell>> rows;
 };
+
+/// A cell as the table shows it; "-" for nothing.
+std::string cellText(const ReportCell& cell, const ReportColumn& column);
+
+/// Whether any cell of the column is text.
+bool isTextColumn(const ReportTable& table, std::size_t column);
 
 /// The table as lines of text with a line of headings: columns at least two spaces apart, words to
 /// the left and numbers to the right, "-" for nothing. No line end after the last line.

@@ -16,6 +16,7 @@
 #include "preprocess/conservative_cones.h"
 #include "preprocess/depth_pyramid.h"
 #include "preprocess/quick_cones.h"
+#include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/roof_cones.h"
 #include "reference/adversarial_rays.h"
@@ -33,6 +34,7 @@ namespace relievo::bench {
 namespace {
 
 using preprocess::buildConservativeCones;
+using preprocess::buildRelaxedCones;
 using preprocess::ConeGuarantee;
 using reference::DescendingRay;
 using reference::MapSearchResult;
@@ -81,6 +83,10 @@ MapSearchResult stepOnly(const DepthMap& relief, const Plane& ratio, const Desce
 MapSearchResult stepAndBisect(const DepthMap& relief, const Plane& ratio,
                               const DescendingRay& ray) {
     return reference::searchByRelaxedCones(relief, ratio, ray);
+}
+
+MapSearchResult stepAndSolve(const DepthMap& relief, const Plane& ratio, const DescendingRay& ray) {
+    return reference::searchByRelaxedConesAndCells(relief, ratio, ray);
 }
 
 PreparedSearch preparePyramid(const DepthMap& relief) {
@@ -142,6 +148,21 @@ const std::array kEntries{
     KindEntry{{"roof-1-far", "1 sector, blocks of 5×5 cells: exact"}, prepareRoofs<1, 2>},
     KindEntry{{"roof-4-far", "4 sectors, blocks of 3×3 cells ahead: exact"}, prepareRoofs<4, 2>},
     KindEntry{{"roof-8-far", "8 sectors, blocks of 3×3 cells ahead: exact"}, prepareRoofs<8, 2>},
+    KindEntry{{"relaxed-bilinear", "relaxed cones of the whole surface, 10 bisections"},
+              [](const DepthMap& relief) {
+                  return prepareCones(buildRelaxedCones(relief, ConeGuarantee::Bilinear),
+                                      stepAndBisect);
+              }},
+    KindEntry{{"relaxed-bilinear-cell", "the same, bisecting to a cell and solving it: exact"},
+              [](const DepthMap& relief) {
+                  return prepareCones(buildRelaxedCones(relief, ConeGuarantee::Bilinear),
+                                      stepAndSolve);
+              }},
+    KindEntry{{"relaxed-texel", "relaxed cones of texel centres, 10 bisections"},
+              [](const DepthMap& relief) {
+                  return prepareCones(buildRelaxedCones(relief, ConeGuarantee::Texel),
+                                      stepAndBisect);
+              }},
     KindEntry{{"relaxed-maxima", "relaxed cones by local maxima, 10 bisections"},
               [](const DepthMap& relief) {
                   return prepareCones(preprocess::buildRelaxedConesByMaxima(relief), stepAndBisect);

@@ -1,5 +1,6 @@
 #include "bench/search_command.h"
 
+#include "bench/bake_summary.h"
 #include "bench/benchmark_options.h"
 #include "commands/program.h"
 #include "textures/version.h"
@@ -36,14 +37,18 @@ void SearchCommand::run() const {
     const std::vector<SearchMeasurement> measurements = measureSearches(options_);
     const ReportTable table = searchTable(measurements);
     commands::answer(formatTable(table));
-    files.write({{"benchmark", "search"},
-                 {"version", textures::kVersion},
-                 {"size", options_.size},
-                 {"rays", options_.rays},
-                 {"seed", options_.seed},
-                 {"depthScale", options_.depthScale},
-                 {"rows", rowsAsJson(table)}},
-                searchPlot(measurements));
+    std::vector<ReportSection> sections = summariseSearches(measurements);
+    sections.push_back({"Every relief", "", table});
+    files.write({.json = {{"benchmark", "search"},
+                          {"version", textures::kVersion},
+                          {"size", options_.size},
+                          {"rays", options_.rays},
+                          {"seed", options_.seed},
+                          {"depthScale", options_.depthScale},
+                          {"rows", rowsAsJson(table)}},
+                 .plot = searchPlot(measurements),
+                 .title = "relievo-bench search",
+                 .sections = std::move(sections)});
 }
 
 }  // namespace relievo::bench

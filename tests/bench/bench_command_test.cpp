@@ -63,18 +63,19 @@ TEST(BenchBake, TableHasARowAMeasurement) {
     EXPECT_EQ(result.errors, "");
     const std::vector<Words> table = parseTable(result.output);
     ASSERT_EQ(table.size(), 1u + 2 * 2 * 4);
-    EXPECT_EQ(table[0], (Words{"sample", "builder", "size", "ms", "ns/texel", "nodes/texel",
-                               "samples/texel", "mean ratio", "wrong texels", "greatest error"}));
+    EXPECT_EQ(table[0], (Words{"sample", "builder", "size", "ms", "ns/texel", "Mtexel/s", "texels",
+                               "bytes/texel", "nodes/texel", "samples/texel", "mean ratio",
+                               "wrong texels", "greatest error"}));
     std::set<Words> distinct;
     for (std::size_t row = 1; row < table.size(); ++row) {
-        ASSERT_EQ(table[row].size(), 10u);
+        ASSERT_EQ(table[row].size(), 13u);
         distinct.insert({table[row][0], table[row][1], table[row][2]});
         EXPECT_GT(std::stod(table[row][3]), 0.0);
         // Only the search has work to count, only cones have ratios, only 4SED has errors.
-        EXPECT_EQ(table[row][5] != "-", table[row][1] == "cones-texel");
-        EXPECT_EQ(table[row][6] != "-", table[row][1] == "cones-texel");
-        EXPECT_EQ(table[row][7] != "-", table[row][1].starts_with("cones-"));
-        EXPECT_EQ(table[row][8] != "-", table[row][1] == "distances-4sed");
+        EXPECT_EQ(table[row][8] != "-", table[row][1] == "cones-texel");
+        EXPECT_EQ(table[row][9] != "-", table[row][1] == "cones-texel");
+        EXPECT_EQ(table[row][10] != "-", table[row][1].starts_with("cones-"));
+        EXPECT_EQ(table[row][11] != "-", table[row][1] == "distances-4sed");
     }
     EXPECT_EQ(distinct.size(), table.size() - 1);
 }
@@ -106,17 +107,49 @@ TEST(BenchBake, MeansAreTheSameForSearchesThatAreExact) {
     Words means[2];
     for (const Words& row : parseTable(bench(kSmallBake).output))
         if (row[1].starts_with("cones-"))
-            means[row[1] == "cones-texel" ? 0 : 1].push_back(row.at(7));
+            means[row[1] == "cones-texel" ? 0 : 1].push_back(row.at(10));
     EXPECT_EQ(means[0].size(), 4u);
     EXPECT_EQ(means[0], means[1]);
 }
 
-TEST(BenchBake, LeavesOutWhatTakesTooLongWithANote) {
-    const ProcessResult result = bench({"bake", "--samples", "wave", "--sizes", "5,65", "--repeat",
-                                        "1", "--builders", "relaxed-policarpo"});
+TEST(BenchBake, LeavesOutWhatTakesLongWithANoteUnlessAskedFor) {
+    const Words words{"bake",     "--samples", "ridge",      "--sizes",          "2,65",
+                      "--repeat", "1",         "--builders", "relaxed-policarpo"};
+    const ProcessResult result = bench(words);
     ASSERT_EQ(result.exitStatus, 0) << result.errors;
     EXPECT_EQ(parseTable(result.output).size(), 1u + 1);
     EXPECT_THAT(result.errors, HasSubstr("relaxed-policarpo is left out at 65x65"));
+    const ProcessResult all = bench(words + Words{"--no-limits"});
+    EXPECT_EQ(parseTable(all.output).size(), 1u + 2);
+    EXPECT_EQ(all.errors, "");
+}
+
+TEST(BenchBake, SaysWhenOnlySomeTexelsAreBuilt) {
+    const ProcessResult result = bench({"bake", "--samples", "noise", "--sizes", "64,130",
+                                        "--repeat", "1", "--builders", "cones-squares"});
+    const std::vector<Words> table = parseTable(result.output);
+    EXPECT_EQ(table.at(1).at(6), "4096");
+    EXPECT_EQ(table.at(2).at(6), "1936") << "every third texel of every third row";
+}
+
+TEST(BenchBake, StrokesAndRaysAreReportedAsWell) {
+    const ScratchFolder folder;
+    const ProcessResult result =
+        bench(kSmallBake + Words{"--sizes", "40", "--strokes", "2", "--rays", "10", "--json",
+                                 folder.file("bake.json"), "--markdown", folder.file("bake.md")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    const auto report = nlohmann::json::parse(readBytes(folder.file("bake.json")));
+    ASSERT_EQ(report.at("strokes").size(), 2u * 3u) << "heap, dent and undo on each relief";
+    EXPECT_EQ(report.at("strokes").at(0).at("size"), 40);
+    std::set<std::string> searches;
+    for (const auto& row : report.at("searches"))
+        searches.insert(row.at("search"));
+    EXPECT_TRUE(searches.contains("roof-1"));
+    EXPECT_TRUE(searches.contains("relaxed-bilinear-cell"));
+    const std::string markdown = readBytes(folder.file("bake.md"));
+    for (const char* title : {"# relievo-bench bake", "## Speed\n", "## Memory", "## Mean ratios",
+                              "## Strokes of a brush", "## Lookups to the hit"})
+        EXPECT_THAT(markdown, HasSubstr(title));
 }
 
 TEST(BenchBake, WorkDoesNotDependOnThreads) {
@@ -125,7 +158,7 @@ TEST(BenchBake, WorkDoesNotDependOnThreads) {
             bench(kSmallInput + Words{"--builders", "cones-texel", "--threads", threads});
         Words column;
         for (const Words& row : parseTable(result.output))
-            column.push_back(row.at(5));
+            column.push_back(row.at(8));
         return column;
     };
     EXPECT_EQ(nodes("1").size(), 5u);
@@ -217,6 +250,8 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"bake", "--sizes", "big"},
         {"bake", "--repeat", "0"},
         {"bake", "--threads", "-1"},
+        {"bake", "--strokes", "-1"},
+        {"bake", "--rays", "many"},
         {"bake", "--elevations", "5"},
         {"bake", "--plot", folder.file("bake.png")},
         {"search", "--searches", "magic"},

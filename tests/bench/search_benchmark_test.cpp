@@ -38,8 +38,9 @@ TEST(SearchBenchmark, ExactSearchesAreNeverWrongAndLinearOnesAtGrazingAngles) {
             const SearchMeasurement& pyramid = rowOf(rows, sample, "pyramid", elevation);
             EXPECT_EQ(pyramid.wrongShare, 0.0);
             EXPECT_FALSE(pyramid.meanRatio);
-            for (const char* exact : {"cones-bilinear-cell", "roof-1", "roof-4", "roof-8",
-                                      "roof-1-far", "roof-4-far", "roof-8-far"})
+            for (const char* exact :
+                 {"cones-bilinear-cell", "roof-1", "roof-4", "roof-8", "roof-1-far", "roof-4-far",
+                  "roof-8-far", "relaxed-bilinear-cell"})
                 EXPECT_EQ(rowOf(rows, sample, exact, elevation).wrongShare, 0.0) << exact;
             const SearchMeasurement& relief = rowOf(rows, sample, "relief", elevation);
             EXPECT_GE(relief.meanLookups, 6.0);
