@@ -6,26 +6,27 @@
 namespace relievo::preprocess {
 namespace {
 
-constexpr int kPacketSize = 4;
-static_assert(kPacketSize * kPacketSize == kLanes && kBlockSize % kPacketSize == 0);
+static_assert(kBlockSize % kPacketSize == 0);
 
-constexpr std::size_t laneOf(int column, int row) {
+constexpr std::size_t apexOf(int column, int row) {
     return static_cast<std::size_t>(row * kPacketSize + column);
 }
 
 // The packet whose first apex is (i,j) of the block. At the border of what is wanted the last
 // column and row stand in for those that are missing.
 SlopePacket packetAt(const ApexBlock& block, int i, int j) {
+    const auto columnAt = [&](int k) { return std::min(i + k, block.width - 1); };
+    const auto rowAt = [&](int k) { return std::min(j + k, block.height - 1); };
     SlopePacket packet;
+    for (int k = 0; k < kPacketSize; ++k) {
+        packet.column[static_cast<std::size_t>(k)] = block.left + static_cast<float>(columnAt(k));
+        packet.row[static_cast<std::size_t>(k)] = block.top + static_cast<float>(rowAt(k));
+    }
     for (int row = 0; row < kPacketSize; ++row)
         for (int column = 0; column < kPacketSize; ++column) {
-            const int x = std::min(i + column, block.width - 1);
-            const int y = std::min(j + row, block.height - 1);
-            const std::size_t lane = laneOf(column, row);
-            packet.column[lane] = block.left + static_cast<float>(x);
-            packet.row[lane] = block.top + static_cast<float>(y);
-            packet.depth[lane] = block.depth[blockIndex(x, y)];
-            packet.known[lane] = block.known[blockIndex(x, y)];
+            const std::size_t from = blockIndex(columnAt(column), rowAt(row));
+            packet.depth[apexOf(column, row)] = block.depth[from];
+            packet.known[apexOf(column, row)] = block.known[from];
         }
     return packet;
 }
@@ -52,10 +53,10 @@ void findSlopes(SlopeSearch& search, const ApexBlock& block, BlockValues& slopes
             }
             search.find(packetAt(block, i, j), seeds, found);
             for (int k = 0; k < kPacketSize; ++k) {
-                before[static_cast<std::size_t>(k)] = found.place[laneOf(kPacketSize - 1, k)];
-                above[static_cast<std::size_t>(i + k)] = found.place[laneOf(k, kPacketSize - 1)];
+                before[static_cast<std::size_t>(k)] = found.place[apexOf(kPacketSize - 1, k)];
+                above[static_cast<std::size_t>(i + k)] = found.place[apexOf(k, kPacketSize - 1)];
                 for (int column = 0; column < kPacketSize; ++column)
-                    slopes[blockIndex(i + column, j + k)] = found.slope[laneOf(column, k)];
+                    slopes[blockIndex(i + column, j + k)] = found.slope[apexOf(column, k)];
             }
         }
     }

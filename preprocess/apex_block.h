@@ -28,9 +28,9 @@ struct ApexBlock {
     BlockValues known;  ///< slopes up to which nothing is of interest
 };
 
-/// Searches the slopes of all apexes of a block (slope_search.h), in packets of 4×4: neighbours
-/// open nearly the same nodes. Each packet starts from the ends of the chords found to its left and
-/// above it. Values beyond width and height are undefined.
+/// Searches the slopes of all apexes of a block (slope_search.h), packet by packet. Each starts
+/// from the ends of the chords found to its left and above it. Values beyond width and height are
+/// undefined.
 void findSlopes(SlopeSearch& search, const ApexBlock& block, BlockValues& slopes);
 
 }  // namespace relievo::preprocess

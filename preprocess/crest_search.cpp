@@ -16,21 +16,21 @@ namespace {
 using Packet = CrestSearch::Packet;
 using Place = CrestSearch::Place;
 
-constexpr int kPacketSize = 4;
-static_assert(kPacketSize * kPacketSize == kLanes && kBlockSize % kPacketSize == 0);
+constexpr int kCrestPacketSize = 4;
+static_assert(kCrestPacketSize * kCrestPacketSize == kLanes && kBlockSize % kCrestPacketSize == 0);
 // Copies beside each other along the shorter side of a tile: enough for 16 : 1 and four tiles.
 constexpr int kMostCopies = 64;
 
 constexpr std::size_t laneOf(int column, int row) {
-    return static_cast<std::size_t>(row * kPacketSize + column);
+    return static_cast<std::size_t>(row * kCrestPacketSize + column);
 }
 
 // At the border of what is wanted the last column and row stand in for those that are missing.
 // `limit`: the slope over the whole depth of one texel width that is known anyway.
 Packet packetAt(const CrestBlock& block, int i, int j, float leastDepth, float reach) {
     Packet packet;
-    for (int row = 0; row < kPacketSize; ++row)
-        for (int column = 0; column < kPacketSize; ++column) {
+    for (int row = 0; row < kCrestPacketSize; ++row)
+        for (int column = 0; column < kCrestPacketSize; ++column) {
             const int x = std::min(i + column, block.width - 1);
             const int y = std::min(j + row, block.height - 1);
             const std::size_t lane = laneOf(column, row);
@@ -84,11 +84,11 @@ void CrestSearch::find(const CrestBlock& block, BlockValues& slopes) {
     std::array<Place, kBlockSize> above{};
     std::vector<Place> seeds;
     Found found;
-    for (int j = 0; j < block.height; j += kPacketSize) {
-        std::array<Place, kPacketSize> before{};
-        for (int i = 0; i < block.width; i += kPacketSize) {
+    for (int j = 0; j < block.height; j += kCrestPacketSize) {
+        std::array<Place, kCrestPacketSize> before{};
+        for (int i = 0; i < block.width; i += kCrestPacketSize) {
             seeds.clear();
-            for (int k = 0; k < kPacketSize; ++k) {
+            for (int k = 0; k < kCrestPacketSize; ++k) {
                 addSeed(before[static_cast<std::size_t>(k)], seeds);
                 addSeed(above[static_cast<std::size_t>(i + k)], seeds);
             }
@@ -100,10 +100,11 @@ void CrestSearch::find(const CrestBlock& block, BlockValues& slopes) {
             else
                 RELIEVO_CALL_KERNEL(findCellCrests, scene_, stack_, statistics_, packet, seeds,
                                     found);
-            for (int k = 0; k < kPacketSize; ++k) {
-                before[static_cast<std::size_t>(k)] = found.place[laneOf(kPacketSize - 1, k)];
-                above[static_cast<std::size_t>(i + k)] = found.place[laneOf(k, kPacketSize - 1)];
-                for (int column = 0; column < kPacketSize; ++column)
+            for (int k = 0; k < kCrestPacketSize; ++k) {
+                before[static_cast<std::size_t>(k)] = found.place[laneOf(kCrestPacketSize - 1, k)];
+                above[static_cast<std::size_t>(i + k)] =
+                    found.place[laneOf(k, kCrestPacketSize - 1)];
+                for (int column = 0; column < kCrestPacketSize; ++column)
                     slopes[blockIndex(i + column, j + k)] = found.slope[laneOf(column, k)];
             }
         }

@@ -14,7 +14,7 @@ namespace relievo::preprocess {
 
 /// The work of a slope search. It depends on the map alone, not on threads or the machine.
 struct SlopeSearchStatistics {
-    std::uint64_t packets = 0;  ///< searches of 16 apexes at once
+    std::uint64_t packets = 0;  ///< searches of neighbouring apexes at once
     std::uint64_t nodes = 0;    ///< nodes whose bound was computed for a packet
     std::uint64_t samples = 0;  ///< samples whose slope was computed for a packet
     SlopeSearchStatistics& operator+=(const SlopeSearchStatistics& other) noexcept;
@@ -79,19 +79,24 @@ struct SamplePlace {
     bool operator==(const SamplePlace&) const = default;
 };
 
-/// Sixteen neighbouring apexes: columns and rows in texels (fractions allowed), depths, and the
-/// slopes up to which nothing is of interest.
+/// Apexes are searched in packets of so many columns and rows: neighbours open nearly the same
+/// nodes.
+inline constexpr int kPacketSize = 8;
+inline constexpr std::size_t kPacketApexes = static_cast<std::size_t>(kPacketSize) * kPacketSize;
+
+/// Neighbouring apexes: columns and rows in texels (fractions allowed), and row by row their depths
+/// and the slopes up to which nothing is of interest.
 struct alignas(64) SlopePacket {
-    std::array<float, kLanes> column;
-    std::array<float, kLanes> row;
-    std::array<float, kLanes> depth;
-    std::array<float, kLanes> known;
+    std::array<float, kPacketSize> column;
+    std::array<float, kPacketSize> row;
+    std::array<float, kPacketApexes> depth;
+    std::array<float, kPacketApexes> known;
 };
 
 /// The slopes, and where the chords end (kNone where no slope is above the known one).
 struct alignas(64) PacketSlopes {
-    std::array<float, kLanes> slope;
-    std::array<SamplePlace, kLanes> place;
+    std::array<float, kPacketApexes> slope;
+    std::array<SamplePlace, kPacketApexes> place;
 };
 
 /// Searches the steepest chords that rise from apexes to the samples of a map:

@@ -8,16 +8,28 @@ using Node = SlopeSearchNode;
 // A bound is computed with some eight roundings of floats: a node is given up only when it stays
 // under the slopes by more than these could have taken off.
 constexpr float kRounding = 1e-6f;
+// And one by planes with some eight of depths, at most 1.
+constexpr float kPlaneRounding = 5e-7f;
 constexpr float kUnbounded = 1e30f;
 
-// The samples of a node along one axis, in texel widths: seen from all apexes, and from the packet
-// as a whole.
+// A packet in strips of two rows: a value for every apex.
+constexpr int kStrips = kPacketSize / 2;
+static_assert(2 * kPacketSize == kLanes);
+struct Strips {
+    Lanes of[kStrips];
+};
+
+// The samples of a node along one axis, in texel widths, as seen from the packet as a whole, with
+// the squares of their distances to each apex: one strip's where they are the same for all.
+template <typename Gaps>
 struct Span {
     float first;
     float last;
-    Lanes squaredGaps;
     float leastGap;
+    Gaps squaredGaps;
 };
+using Columns = Span<Lanes>;
+using Rows = Span<Strips>;
 
 // All apexes of a packet, in texel widths.
 struct PacketBounds {
@@ -30,8 +42,6 @@ struct PacketBounds {
 // Which samples may be the ends of chords: those in the directions of a sector.
 class SectorSamples {
   public:
-    static constexpr bool kHasPlanes = true;
-
     SectorSamples(const ReliefTree& tree, const ChordSector& sector, float halfSide, float aspect)
         : tree_(tree), sector_(sector), halfSide_(halfSide), halfHeight_(halfSide * aspect) {}
 
@@ -44,12 +54,6 @@ class SectorSamples {
     }
     [[nodiscard]] const std::array<float, 4>& depths(int i, int j) const {
         return tree_.texels[tree_.index(1, i, j)];
-    }
-
-    // The least depth of a child of which some sample may count, for the packet as a whole.
-    [[nodiscard]] float least(const ReliefQuad& quad, std::size_t child, const Span& x,
-                              const Span& y, const PacketBounds& packet) const {
-        return reaches(x, y, packet) ? quad.least[child] : kUnbounded;
     }
 
     // Whether a sample counts, by its place as seen from the apexes.
@@ -70,15 +74,8 @@ class SectorSamples {
         return inside;
     }
 
-  private:
-    // The farthest that the samples of a span are ahead of the packet, against `sign`.
-    static float ahead(const Span& span, float low, float high, float sign) {
-        return sign > 0.0f ? span.last - low : high - span.first;
-    }
-    static float aheadAtLeast(const Span& span, float low, float high, float sign) {
-        return sign > 0.0f ? span.first - high : low - span.last;
-    }
-    [[nodiscard]] bool reaches(const Span& x, const Span& y, const PacketBounds& packet) const {
+    // Whether some sample of a node may count, for the packet as a whole.
+    [[nodiscard]] bool reaches(const Columns& x, const Rows& y, const PacketBounds& packet) const {
         const float farX = ahead(x, packet.left, packet.right, sector_.signX);
         const float farY = ahead(y, packet.top, packet.bottom, sector_.signY);
         if ((sector_.signX != 0.0f && farX < -0.5f * halfSide_) ||
@@ -93,17 +90,91 @@ class SectorSamples {
         return true;
     }
 
+  private:
+    // The farthest that the samples of a span are ahead of the packet, against `sign`.
+    template <typename Gaps>
+    static float ahead(const Span<Gaps>& span, float low, float high, float sign) {
+        return sign > 0.0f ? span.last - low : high - span.first;
+    }
+    template <typename Gaps>
+    static float aheadAtLeast(const Span<Gaps>& span, float low, float high, float sign) {
+        return sign > 0.0f ? span.first - high : low - span.last;
+    }
     const ReliefTree& tree_;
     const ChordSector sector_;
     const float halfSide_;
     const float halfHeight_;
 };
 
-// The search of one packet, among the samples that `Candidates` lets count.
-template <typename Candidates>
+// Four children of a node at once.
+using Four = float __attribute__((vector_size(16)));
+using FourMask = std::int32_t __attribute__((vector_size(16)));
+
+inline Four fourOf(float first, float second, float third, float fourth) {
+    return Four{first, second, third, fourth};
+}
+inline Four loadFour(const std::array<float, 4>& from) {
+    Four four;
+    std::memcpy(&four, from.data(), sizeof(four));
+    return four;
+}
+inline Four largerOf(Four a, Four b) {
+    return a > b ? a : b;
+}
+inline Four squareRootsOf(Four values) {
+    for (int k = 0; k < 4; ++k)
+        values[k] = std::sqrt(values[k]);
+    return values;
+}
+
+// The columns and rows of the children.
+struct QuadSpans {
+    Columns x[2];
+    Rows y[2];
+
+    template <typename Value>
+    [[nodiscard]] Four alongX(const Value& value) const {
+        return fourOf(value(x[0]), value(x[1]), value(x[0]), value(x[1]));
+    }
+    template <typename Value>
+    [[nodiscard]] Four alongY(const Value& value) const {
+        return fourOf(value(y[0]), value(y[0]), value(y[1]), value(y[1]));
+    }
+};
+
+// What the children say to a packet as a whole.
+struct QuadBounds {
+    Four squaredDistance;
+    Four bound;  // no chord into a child is steeper, squared
+};
+
+// Planes below the samples of the children (relief_tree.h) along directions w towards them: for an
+// apex at a, how far w·y from the first sample is beyond w·a.
+struct QuadPlanes {
+    Four wx;
+    Four wy;
+    Four toFirst;
+    Four base;
+    Four slopeX;
+    Four slopeY;
+    Four width;
+    Four height;
+};
+
+// Samples of one column or row, as seen from the apexes.
+struct SampleLine {
+    Lanes from;
+    Lanes squaredGaps;
+    LaneMask isOutside;  // of the window
+};
+struct SampleRow {
+    SampleLine strips[kStrips];
+};
+
+// The search of one packet.
 class Traversal {
   public:
-    Traversal(const Candidates& candidates, const SlopeSearchSpace& space,
+    Traversal(const SectorSamples& candidates, const SlopeSearchSpace& space,
               const SlopeSearchRules& rules, std::vector<Node>& stack,
               SlopeSearchStatistics& statistics)
         : candidates_(candidates),
@@ -115,17 +186,29 @@ class Traversal {
           statistics_(statistics) {}
 
     void begin(const SlopePacket& packet) {
-        x_ = loadLanes(packet.column.data());
-        y_ = loadLanes(packet.row.data()) * aspect_;
-        depth_ = loadLanes(packet.depth.data());
-        greatestDepth_ = largestLane(depth_);
-        packet_ = {smallestLane(x_) - rules_.halfSide, largestLane(x_) + rules_.halfSide,
-                   smallestLane(y_) - rules_.halfSide * aspect_,
-                   largestLane(y_) + rules_.halfSide * aspect_};
-        known_ = roundedDown(loadLanes(packet.known.data()), rules_.bits);
-        square_ = known_ * known_;
-        placeI_ = LaneMask{} + SamplePlace::kNone;
-        placeJ_ = placeI_;
+        // Places relative to the packet, so that far from the map's first texel they round no
+        // worse.
+        originX_ = packet.column[0];
+        originY_ = packet.row[0];
+        const auto [left, right] = std::minmax_element(packet.column.begin(), packet.column.end());
+        const auto [top, bottom] = std::minmax_element(packet.row.begin(), packet.row.end());
+        packet_ = {*left - originX_ - rules_.halfSide, *right - originX_ + rules_.halfSide,
+                   (*top - originY_ - rules_.halfSide) * aspect_,
+                   (*bottom - originY_ + rules_.halfSide) * aspect_};
+        greatestDepth_ = *std::max_element(packet.depth.begin(), packet.depth.end());
+        for (int lane = 0; lane < kLanes; ++lane)
+            x_[lane] = packet.column[static_cast<std::size_t>(lane % kPacketSize)] - originX_;
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const auto first = static_cast<std::size_t>(strip) * kLanes;
+            for (int lane = 0; lane < kLanes; ++lane)
+                y_.of[strip][lane] =
+                    placeY(packet.row[static_cast<std::size_t>(2 * strip + lane / kPacketSize)]);
+            depth_.of[strip] = loadLanes(&packet.depth[first]);
+            const Lanes known = roundedDown(loadLanes(&packet.known[first]), rules_.bits);
+            square_.of[strip] = known * known;
+            placeI_[strip] = LaneMask{} + SamplePlace::kNone;
+            placeJ_[strip] = placeI_[strip];
+        }
         // What the window leaves is farther than it along one axis.
         const float nearest = rules_.window * std::min(1.0f, aspect_);
         leastSquare_ = nearest * nearest;
@@ -136,7 +219,7 @@ class Traversal {
         const int j = textures::wrapIndex(place.j, candidates_.height(), wrap_);
         const float depth =
             candidates_.depths(i / 2, j / 2)[static_cast<std::size_t>(i % 2 + 2 * (j % 2))];
-        trySample(place.i, place.j, depth);
+        trySample(sampleColumn(place.i), sampleRow(place.j), place.i, place.j, depth);
     }
 
     void search() {
@@ -155,18 +238,26 @@ class Traversal {
     }
 
     void store(PacketSlopes& found) const {
-        storeLanes(top_, found.slope.data());
-        for (int k = 0; k < kLanes; ++k)
-            found.place[static_cast<std::size_t>(k)] = {placeI_[k], placeJ_[k]};
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const auto first = static_cast<std::size_t>(strip) * kLanes;
+            storeLanes(top_.of[strip], &found.slope[first]);
+            for (int k = 0; k < kLanes; ++k)
+                found.place[first + static_cast<std::size_t>(k)] = {placeI_[strip][k],
+                                                                    placeJ_[strip][k]};
+        }
     }
 
   private:
-    // The samples from `first` to `last` along an axis: `positions` are those of the apexes, `low`
-    // and `high` those of the packet.
-    [[nodiscard]] static Span spanOf(float first, float last, Lanes positions, float halfSide,
-                                     float low, float high) {
+    [[nodiscard]] float placeX(float column) const { return column - originX_; }
+    [[nodiscard]] float placeY(float row) const { return (row - originY_) * aspect_; }
+
+    // The squares of how far it is from apexes at `positions` to samples between two places.
+    static Lanes squaredGapsTo(float first, float last, Lanes positions, float halfSide) {
         const Lanes gaps = larger(larger(first - positions, positions - last) - halfSide, Lanes{});
-        return {first, last, gaps * gaps, std::max(std::max(first - high, low - last), 0.0f)};
+        return gaps * gaps;
+    }
+    static float leastGapTo(float first, float last, float low, float high) {
+        return std::max(std::max(first - high, low - last), 0.0f);
     }
     // The samples first…last of the tile along an axis of `size` texels, in a copy of it.
     struct Range {
@@ -180,22 +271,28 @@ class Traversal {
     static Range rangeOf(int level, int node, int size) {
         return {node << level, std::min((node + 1) << level, size) - 1};
     }
-    [[nodiscard]] Span columns(int level, int i, const TileCopy& copy) const {
+    [[nodiscard]] Columns columns(int level, int i, const TileCopy& copy) const {
         const int width = candidates_.width();
         const Range range = inCopy(rangeOf(level, i, width), width, copy.i, copy.flipsX);
-        return spanOf(static_cast<float>(range.first), static_cast<float>(range.last), x_,
-                      rules_.halfSide, packet_.left, packet_.right);
+        const float first = placeX(static_cast<float>(range.first));
+        const float last = placeX(static_cast<float>(range.last));
+        return {first, last, leastGapTo(first, last, packet_.left, packet_.right),
+                squaredGapsTo(first, last, x_, rules_.halfSide)};
     }
-    [[nodiscard]] Span rows(int level, int j, const TileCopy& copy) const {
+    [[nodiscard]] Rows rows(int level, int j, const TileCopy& copy) const {
         const int height = candidates_.height();
         const Range range = inCopy(rangeOf(level, j, height), height, copy.j, copy.flipsY);
-        return spanOf(static_cast<float>(range.first) * aspect_,
-                      static_cast<float>(range.last) * aspect_, y_, rules_.halfSide * aspect_,
-                      packet_.top, packet_.bottom);
+        const float first = placeY(static_cast<float>(range.first));
+        const float last = placeY(static_cast<float>(range.last));
+        Rows rows{first, last, leastGapTo(first, last, packet_.top, packet_.bottom), {}};
+        for (int strip = 0; strip < kStrips; ++strip)
+            rows.squaredGaps.of[strip] =
+                squaredGapsTo(first, last, y_.of[strip], rules_.halfSide * aspect_);
+        return rows;
     }
 
     // Whether all samples there are in the windows of all apexes.
-    [[nodiscard]] bool insideWindows(const Span& x, const Span& y) const {
+    [[nodiscard]] bool insideWindows(const Columns& x, const Rows& y) const {
         const float across = rules_.window + rules_.halfSide;
         const float down = across * aspect_;
         return x.first >= packet_.right - across && x.last <= packet_.left + across &&
@@ -203,48 +300,63 @@ class Traversal {
     }
 
     // Whether a chord to a sample there, none less deep than `least`, may be steeper than the slope
-    // of some apex.
-    [[nodiscard]] LaneMask mayRise(const Span& x, const Span& y, float least) const {
-        const Lanes square =
-            larger(x.squaredGaps + y.squaredGaps, splat(leastSquare_)) - rules_.correction;
-        const Lanes difference = larger(depth_ - least, Lanes{});
-        return difference * difference > limit_ * square;
+    // of some apex of the strip.
+    [[nodiscard]] LaneMask mayRise(int strip, const Columns& x, const Rows& y, float least) const {
+        const Lanes square = larger(x.squaredGaps + y.squaredGaps.of[strip], splat(leastSquare_)) -
+                             rules_.correction;
+        const Lanes difference = larger(depth_.of[strip] - least, Lanes{});
+        return difference * difference > limit_.of[strip] * square;
     }
 
-    // The same by the plane below the samples there. With y relative to the apex a, s its slope, P
-    // the plane and any vector w no longer than 1,
+    // Planes below the samples of children that are not beside the packet. With y relative to the
+    // apex a, s its slope, P the plane and any vector w no longer than 1,
     //   (D(a) − D(y)) − s·|y| ≤ D(a) − P(y) − s·w·y,
     // which is linear in y and so greatest at a corner. w points from the middle of the packet to
     // that of the node.
-    [[nodiscard]] LaneMask mayRiseToPlane(const Span& x, const Span& y, float squaredDistance,
-                                          const ReliefQuad& quad, std::size_t child,
-                                          const TileCopy& copy) const {
-        const float towardsX = x.first + x.last - packet_.left - packet_.right;
-        const float towardsY = y.first + y.last - packet_.top - packet_.bottom;
-        const float perLength =
-            (1.0f - kRounding) / std::sqrt(towardsX * towardsX + towardsY * towardsY);
+    [[nodiscard]] QuadPlanes planesOf(const ReliefQuad& quad, const QuadSpans& spans,
+                                      Four squaredDistance, const TileCopy& copy) const {
+        const auto first = [](const auto& span) { return span.first; };
+        const auto length = [](const auto& span) { return span.last - span.first; };
+        const auto middle = [](const auto& span) { return span.first + span.last; };
+        const Four towardsX = spans.alongX(middle) - packet_.left - packet_.right;
+        const Four towardsY = spans.alongY(middle) - packet_.top - packet_.bottom;
+        const Four perLength =
+            (1.0f - kRounding) / squareRootsOf(towardsX * towardsX + towardsY * towardsY);
         // √(|y|² − κ) is at least |y|·√(1 − q), q = κ over the least |y|², and so |y|·(1 − q/2 −
         // q²/2).
-        const float q = rules_.correction / squaredDistance;
-        const float shortening = 1.0f - 0.5f * q * (1.0f + q);
-        const float wx = towardsX * perLength * shortening;
-        const float wy = towardsY * perLength * shortening;
-        const float width = x.last - x.first;
-        const float height = y.last - y.first;
+        const Four q = rules_.correction / squaredDistance;
+        const Four shortening = 1.0f - 0.5f * q * (1.0f + q);
+        QuadPlanes planes;
+        planes.wx = towardsX * perLength * shortening;
+        planes.wy = towardsY * perLength * shortening;
+        planes.width = spans.alongX(length);
+        planes.height = spans.alongY(length);
         // In a mirrored copy the plane begins at its other end.
-        const float storedX = quad.slopeX[child];
-        const float storedY = quad.slopeY[child] / aspect_;
-        const float slopeX = copy.flipsX ? -storedX : storedX;
-        const float slopeY = copy.flipsY ? -storedY : storedY;
-        const float base = quad.base[child] + (copy.flipsX ? storedX * width : 0.0f) +
-                           (copy.flipsY ? storedY * height : 0.0f);
+        const Four storedX = loadFour(quad.slopeX);
+        const Four storedY = loadFour(quad.slopeY) / aspect_;
+        planes.slopeX = copy.flipsX ? -storedX : storedX;
+        planes.slopeY = copy.flipsY ? -storedY : storedY;
+        planes.base = loadFour(quad.base) + (copy.flipsX ? storedX * planes.width : Four{}) +
+                      (copy.flipsY ? storedY * planes.height : Four{});
         // From the corner of the apex that is nearest, where it is a square.
-        const float toFirst =
-            wx * x.first + wy * y.first - rules_.halfSide * (std::abs(wx) + std::abs(wy) * aspect_);
-        const Lanes along = toFirst - (x_ * wx + y_ * wy);
-        const Lanes growthX = larger(-(top_ * wx + slopeX), Lanes{}) * width;
-        const Lanes growthY = larger(-(top_ * wy + slopeY), Lanes{}) * height;
-        return (depth_ - base) + (growthX + growthY) > top_ * along;
+        const Four absoluteX = largerOf(planes.wx, -planes.wx);
+        const Four absoluteY = largerOf(planes.wy, -planes.wy);
+        planes.toFirst = planes.wx * spans.alongX(first) + planes.wy * spans.alongY(first) -
+                         rules_.halfSide * (absoluteX + absoluteY * aspect_);
+        return planes;
+    }
+
+    // Whether a chord to a sample of child k may be steeper than the slope of some apex of the
+    // strip, by its plane.
+    [[nodiscard]] LaneMask mayRiseToPlane(int strip, const QuadPlanes& planes, int k) const {
+        const float wx = planes.wx[k];
+        const float wy = planes.wy[k];
+        const Lanes top = top_.of[strip];
+        const Lanes along = planes.toFirst[k] - (x_ * wx + y_.of[strip] * wy);
+        const Lanes growthX = larger(-(top * wx + planes.slopeX[k]), Lanes{}) * planes.width[k];
+        const Lanes growthY = larger(-(top * wy + planes.slopeY[k]), Lanes{}) * planes.height[k];
+        return (depth_.of[strip] - planes.base[k]) + (growthX + growthY) + kPlaneRounding >
+               top * along;
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -266,93 +378,137 @@ class Traversal {
     void pushRoots() {
         const int level = candidates_.topLevel();
         for (std::size_t c = 0; c < copies_.size(); ++c) {
-            const Span x = columns(level, 0, copies_[c]);
-            const Span y = rows(level, 0, copies_[c]);
+            const Columns x = columns(level, 0, copies_[c]);
+            const Rows y = rows(level, 0, copies_[c]);
             const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
             push({level, 0, 0, static_cast<int>(c), boundOf(distance, candidates_.leastDepth())},
                  0);
         }
     }
 
+    // Where the slopes that the packet has already leave a child out, its bound is 0.
+    [[nodiscard]] QuadBounds boundsOf(const ReliefQuad& quad, const QuadSpans& spans) const {
+        const auto gap = [](const auto& span) { return span.leastGap; };
+        const Four across = spans.alongX(gap);
+        const Four down = spans.alongY(gap);
+        const Four distance = across * across + down * down;
+        const Four square = largerOf(distance, Four{} + leastSquare_) - rules_.correction;
+        const Four difference = largerOf(greatestDepth_ - loadFour(quad.least), Four{});
+        const Four bound = square > Four{} ? difference * difference / square * (1.0f + kRounding)
+                                           : Four{} + kUnbounded;
+        const FourMask isOpen = (difference > Four{}) & (bound > Four{} + leastTopSquare_);
+        return {distance, isOpen ? bound : Four{}};
+    }
+
     void pushChildren(const Node& parent) {
         const int level = parent.level - 1;
         const TileCopy& copy = copies_[static_cast<std::size_t>(parent.copy)];
-        const auto& quad = candidates_.quad(parent.level, parent.i, parent.j);
-        const Span xs[2] = {columns(level, 2 * parent.i, copy),
-                            columns(level, 2 * parent.i + 1, copy)};
-        const Span ys[2] = {rows(level, 2 * parent.j, copy), rows(level, 2 * parent.j + 1, copy)};
+        const ReliefQuad& quad = candidates_.quad(parent.level, parent.i, parent.j);
+        const QuadSpans spans = {
+            {columns(level, 2 * parent.i, copy), columns(level, 2 * parent.i + 1, copy)},
+            {rows(level, 2 * parent.j, copy), rows(level, 2 * parent.j + 1, copy)}};
+        const QuadBounds bounds = boundsOf(quad, spans);
+        if (bounds.bound[0] + bounds.bound[1] + bounds.bound[2] + bounds.bound[3] == 0.0f)
+            return;
+        const QuadPlanes planes = planesOf(quad, spans, bounds.squaredDistance, copy);
         const std::size_t first = stack_.size();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Span& x = xs[k % 2];
-            const Span& y = ys[k / 2];
-            if (!(quad.least[k] < greatestDepth_) || insideWindows(x, y))
-                continue;
-            const float least = candidates_.least(quad, k, x, y, packet_);
-            if (!(least < greatestDepth_))
-                continue;
-            ++statistics_.nodes;
-            const LaneMask rises = mayRise(x, y, least);
-            if (!anyLane(rises))
-                continue;
-            const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
-            if constexpr (Candidates::kHasPlanes) {
-                // A node beside the packet is on more than one side of it: its plane says little.
-                const float side = static_cast<float>(1 << level);
-                if (distance > side * side &&
-                    !anyLane(rises & mayRiseToPlane(x, y, distance, quad, k, copy)))
-                    continue;
-            }
-            push({level, 2 * parent.i + static_cast<int>(k % 2),
-                  2 * parent.j + static_cast<int>(k / 2), parent.copy, boundOf(distance, least)},
-                 first);
+        for (int k = 0; k < 4; ++k)
+            if (bounds.bound[k] > 0.0f && mayHaveSteeper(quad, spans, bounds, planes, level, k))
+                push({level, 2 * parent.i + k % 2, 2 * parent.j + k / 2, parent.copy,
+                      bounds.bound[k]},
+                     first);
+    }
+
+    [[nodiscard]] bool mayHaveSteeper(const ReliefQuad& quad, const QuadSpans& spans,
+                                      const QuadBounds& bounds, const QuadPlanes& planes, int level,
+                                      int k) const {
+        const Columns& x = spans.x[k % 2];
+        const Rows& y = spans.y[k / 2];
+        ++statistics_.nodes;
+        // A node beside the packet is on more than one side of it: its plane says little.
+        const float side = static_cast<float>(1 << level);
+        const bool isBeside = bounds.squaredDistance[k] <= side * side;
+        LaneMask rises{};
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const LaneMask some = mayRise(strip, x, y, quad.least[static_cast<std::size_t>(k)]);
+            rises |= isBeside ? some : some & mayRiseToPlane(strip, planes, k);
         }
+        return anyLane(rises) && !insideWindows(x, y) && candidates_.reaches(x, y, packet_);
+    }
+
+    [[nodiscard]] SampleLine sampleLine(float place, Lanes positions, float halfSide,
+                                        float window) const {
+        const Lanes from = place - positions;
+        const Lanes gaps = larger(larger(from, -from) - halfSide, Lanes{});
+        return {from, gaps * gaps, gaps > splat(window)};
+    }
+    [[nodiscard]] SampleLine sampleColumn(int i) const {
+        return sampleLine(placeX(static_cast<float>(i)), x_, rules_.halfSide, rules_.window);
+    }
+    [[nodiscard]] SampleRow sampleRow(int j) const {
+        SampleRow row;
+        for (int strip = 0; strip < kStrips; ++strip)
+            row.strips[strip] = sampleLine(placeY(static_cast<float>(j)), y_.of[strip],
+                                           rules_.halfSide * aspect_, rules_.window * aspect_);
+        return row;
     }
 
     void tryChildren(const Node& node) {
         const TileCopy& copy = copies_[static_cast<std::size_t>(node.copy)];
         const std::array<float, 4>& depths = candidates_.depths(node.i, node.j);
-        changed_ = false;
-        for (int k = 0; k < 4; ++k) {
-            const float depth = depths[static_cast<std::size_t>(k)];
-            if (!(depth < greatestDepth_))
-                continue;
-            const int i = 2 * node.i + k % 2;
-            const int j = 2 * node.j + k / 2;
-            trySample(inCopy({i, i}, candidates_.width(), copy.i, copy.flipsX).first,
-                      inCopy({j, j}, candidates_.height(), copy.j, copy.flipsY).first, depth);
+        const auto placed = [](int texel, int size, int origin, bool flips) {
+            return inCopy({texel, texel}, size, origin, flips).first;
+        };
+        int i[2];
+        int j[2];
+        for (int k = 0; k < 2; ++k) {
+            i[k] = placed(2 * node.i + k, candidates_.width(), copy.i, copy.flipsX);
+            j[k] = placed(2 * node.j + k, candidates_.height(), copy.j, copy.flipsY);
         }
+        const SampleLine x[2] = {sampleColumn(i[0]), sampleColumn(i[1])};
+        const SampleRow y[2] = {sampleRow(j[0]), sampleRow(j[1])};
+        changed_ = false;
+        for (int k = 0; k < 4; ++k)
+            trySample(x[k % 2], y[k / 2], i[k % 2], j[k / 2], depths[static_cast<std::size_t>(k)]);
         if (changed_)
             roundSlopes();
     }
 
-    void trySample(int i, int j, float depth) {
+    void trySample(const SampleLine& x, const SampleRow& y, int i, int j, float depth) {
+        if (!(depth < greatestDepth_))
+            return;
         ++statistics_.samples;
-        const Lanes fromX = static_cast<float>(i) - x_;
-        const Lanes fromY = static_cast<float>(j) * aspect_ - y_;
-        const Lanes across = larger(larger(fromX, -fromX) - rules_.halfSide, Lanes{});
-        const Lanes down = larger(larger(fromY, -fromY) - rules_.halfSide * aspect_, Lanes{});
-        const Lanes square = across * across + down * down - rules_.correction;
-        const Lanes difference = depth_ - depth;
-        const LaneMask steeper =
-            (difference > Lanes{}) & candidates_.counts(fromX, fromY) &
-            ((across > splat(rules_.window)) | (down > splat(rules_.window * aspect_))) &
-            (difference * difference > square_ * square);
+        for (int strip = 0; strip < kStrips; ++strip)
+            trySample(strip, x, y.strips[strip], i, j, depth);
+    }
+
+    void trySample(int strip, const SampleLine& x, const SampleLine& y, int i, int j, float depth) {
+        const Lanes square = x.squaredGaps + y.squaredGaps - rules_.correction;
+        const Lanes difference = depth_.of[strip] - depth;
+        Lanes& steepest = square_.of[strip];
+        LaneMask steeper = (difference > Lanes{}) & (x.isOutside | y.isOutside) &
+                           (difference * difference > steepest * square);
+        if (!anyLane(steeper))
+            return;
+        steeper &= candidates_.counts(x.from, y.from);
         if (!anyLane(steeper))
             return;
         changed_ = true;
-        square_ = steeper ? difference * difference / square : square_;
-        placeI_ = steeper ? LaneMask{} + i : placeI_;
-        placeJ_ = steeper ? LaneMask{} + j : placeJ_;
+        steepest = steeper ? difference * difference / square : steepest;
+        placeI_[strip] = steeper ? LaneMask{} + i : placeI_[strip];
+        placeJ_[strip] = steeper ? LaneMask{} + j : placeJ_[strip];
     }
 
     void roundSlopes() {
-        top_ = roundedUp(squareRoots(square_), rules_.bits);
-        const Lanes topSquare = top_ * top_;
-        limit_ = topSquare * (1.0f - kRounding);
-        leastTopSquare_ = smallestLane(limit_);
+        leastTopSquare_ = kUnbounded;
+        for (int strip = 0; strip < kStrips; ++strip) {
+            top_.of[strip] = roundedUp(squareRoots(square_.of[strip]), rules_.bits);
+            limit_.of[strip] = top_.of[strip] * top_.of[strip] * (1.0f - kRounding);
+            leastTopSquare_ = std::min(leastTopSquare_, smallestLane(limit_.of[strip]));
+        }
     }
 
-    const Candidates& candidates_;
+    const SectorSamples& candidates_;
     const std::vector<TileCopy>& copies_;
     const textures::WrapMode wrap_;
     const float aspect_;
@@ -360,16 +516,17 @@ class Traversal {
     std::vector<Node>& stack_;
     SlopeSearchStatistics& statistics_;
 
-    Lanes x_{};
-    Lanes y_{};
-    Lanes depth_{};
-    Lanes known_{};
-    Lanes square_{};  // of the steepest slopes so far
-    Lanes top_{};     // their roots, rounded up
-    Lanes limit_{};   // the squares of these, less what rounding may take off a bound
-    LaneMask placeI_{};
-    LaneMask placeJ_{};
+    Lanes x_{};  // the same in all strips
+    Strips y_{};
+    Strips depth_{};
+    Strips square_{};  // of the steepest slopes so far
+    Strips top_{};     // their roots, rounded up
+    Strips limit_{};   // the squares of these, less what rounding may take off a bound
+    LaneMask placeI_[kStrips]{};
+    LaneMask placeJ_[kStrips]{};
     PacketBounds packet_{};
+    float originX_ = 0.0f;  // of all places, in texels
+    float originY_ = 0.0f;
     float greatestDepth_ = 0.0f;
     float leastSquare_ = 0.0f;  // no sample outside the window is nearer
     float leastTopSquare_ = 0.0f;
@@ -381,7 +538,7 @@ class Traversal {
     std::span<const SamplePlace> seeds, std::vector<Node>& stack, SlopeSearchStatistics& statistics,
     PacketSlopes& found) {
     const SectorSamples candidates(space.tree, rules.sector, rules.halfSide, space.aspect);
-    Traversal<SectorSamples> traversal(candidates, space, rules, stack, statistics);
+    Traversal traversal(candidates, space, rules, stack, statistics);
     traversal.begin(packet);
     for (const SamplePlace seed : seeds)
         traversal.trySample(seed);
