@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "bench/allocated_memory.h"
 #include "bench/bake_builders.h"
+#include "bench/mean_ratio.h"
 #include "bench/stopwatch.h"
 #include "commands/program.h"
 #include "commands/progress.h"
@@ -56,12 +59,8 @@ BakeMeasurement measure(const BakeBuilder& builder, const BakeInput& input, int 
         measurement.nodesPerTexel = static_cast<double>(output.search->nodes) / texels;
         measurement.samplesPerTexel = static_cast<double>(output.search->samples) / texels;
     }
-    if (output.ratios) {
-        double sum = 0.0;
-        for (const float ratio : output.ratios->texels)
-            sum += std::min(ratio, 1.0f);
-        measurement.meanRatio = sum / texels;
-    }
+    if (output.ratios)
+        measurement.meanRatio = meanRatio(*output.ratios);
     if (output.doubtfulDistances) {
         const preprocess::DistanceErrors errors = preprocess::compareDistances(
             *output.doubtfulDistances, preprocess::distancesTo(input.raised, input.map.width(),
@@ -144,13 +143,19 @@ ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements) {
 }
 
 Plot bakePlot(const std::vector<BakeMeasurement>& measurements) {
+    std::map<std::string, std::set<int>> sizes;
+    for (const BakeMeasurement& m : measurements)
+        sizes[m.builder].insert(m.size);
     Plot plot;
     plot.title = "Building maps";
     plot.xLabel = "size in texels";
     plot.yLabel = "ns per texel";
     plot.xLogarithmBase = 2;
+    plot.isCompared = true;
     for (const BakeMeasurement& m : measurements)
-        seriesOf(plot, m.builder, m.sample).points.emplace_back(m.size, m.nanosecondsPerTexel());
+        if (sizes[m.builder].size() > 1)
+            seriesOf(plot, m.builder, m.sample)
+                .points.emplace_back(m.size, m.nanosecondsPerTexel());
     return plot;
 }
 

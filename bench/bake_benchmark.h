@@ -56,7 +56,8 @@ std::vector<BakeMeasurement> measureBake(const BakeBenchmarkOptions& options);
 /// One row a measurement.
 ReportTable bakeTable(const std::vector<BakeMeasurement>& measurements);
 
-/// Time per texel against size: a panel a builder, a curve a sample.
+/// Time per texel against size: a panel for each builder that was measured at several sizes, a
+/// curve for each sample.
 Plot bakePlot(const std::vector<BakeMeasurement>& measurements);
 
 }  // namespace relievo::bench

@@ -163,6 +163,12 @@ std::vector<BakeBuilder> coneBuilders() {
     };
 }
 
+// Tables with hundreds of values a texel take hundreds of times as long as one.
+int largestSizeOf(const preprocess::MapKind& kind, const preprocess::ReliefPlan& plan) {
+    constexpr std::size_t kManyChannels = 64;
+    return kind.channels(plan).size() > kManyChannels ? 64 : 512;
+}
+
 // A map of `relievo-bake relief` with its usual options.
 BakeBuilder mapBuilder(const preprocess::MapKind& kind) {
     preprocess::ReliefPlan plan;
@@ -172,7 +178,8 @@ BakeBuilder mapBuilder(const preprocess::MapKind& kind) {
         kind.build({input.map, plan, {}}, maps);
         return otherOutput(std::move(maps));
     };
-    BakeBuilder builder{std::string(kind.name), std::string(kind.description), build, 512};
+    BakeBuilder builder{std::string(kind.name), std::string(kind.description), build,
+                        largestSizeOf(kind, plan)};
     builder.statedBytes = kind.workingBytes(plan);
     return builder;
 }

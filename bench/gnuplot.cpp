@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 namespace relievo::bench {
@@ -57,6 +58,32 @@ std::string panelScript(const PlotPanel& panel, std::size_t number,
                        fmt::join(curves, ", \\\n     "));
 }
 
+/// A panel with nothing but the names of all series.
+std::string legendScript(const std::vector<std::string>& names) {
+    std::vector<std::string> curves;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        curves.push_back(
+            fmt::format("NaN with linespoints linetype {} title {}", k + 1, quoted(names[k])));
+    return fmt::format(
+        "set key on center center font ',11'\nunset border\nunset tics\nunset xlabel\nunset "
+        "ylabel\nset title ''\nset xrange [1:2]\nset yrange [1:2]\nplot {}\n",
+        fmt::join(curves, ", \\\n     "));
+}
+
+/// The whole decades that hold all points of all panels.
+std::string commonRange(const Plot& plot) {
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = 0.0;
+    for (const PlotPanel& panel : plot.panels)
+        for (const PlotSeries& series : panel.series)
+            for (const auto& [x, y] : series.points) {
+                least = std::min(least, y);
+                greatest = std::max(greatest, y);
+            }
+    return fmt::format("set yrange [{}:{}]\n", std::pow(10.0, std::floor(std::log10(least))),
+                       std::pow(10.0, std::ceil(std::log10(greatest))));
+}
+
 }  // namespace
 
 PlotSeries& seriesOf(Plot& plot, const std::string& panelTitle, const std::string& seriesName) {
@@ -76,7 +103,10 @@ void requireGnuplot() {
 }
 
 std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output) {
-    const auto panels = static_cast<int>(std::max<std::size_t>(plot.panels.size(), 1));
+    const std::vector<std::string> names = seriesNames(plot);
+    const bool isCompared = plot.isCompared && !names.empty();
+    const auto panels =
+        static_cast<int>(std::max<std::size_t>(plot.panels.size() + (isCompared ? 1 : 0), 1));
     const int square = static_cast<int>(std::ceil(std::sqrt(panels)));
     const int columns = plot.columns > 0 ? plot.columns : square;
     const int rows = (panels + columns - 1) / columns;
@@ -89,9 +119,12 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output)
         columns * kPanelWidth, rows * kPanelHeight + kTitleHeight, quoted(output.string()), rows,
         columns, quoted(plot.title), plot.xLogarithmBase, plot.keyPosition, quoted(plot.xLabel),
         quoted(plot.yLabel));
-    const std::vector<std::string> names = seriesNames(plot);
+    if (isCompared)
+        script += commonRange(plot) + "unset key\n";
     for (std::size_t p = 0; p < plot.panels.size(); ++p)
         script += panelScript(plot.panels[p], p, names);
+    if (isCompared)
+        script += legendScript(names);
     return script + "unset multiplot\nunset output\n";
 }
 

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/mean_ratio.h"
 #include "commands/progress.h"
 #include "preprocess/conservative_cones.h"
 #include "preprocess/depth_pyramid.h"
@@ -27,7 +28,6 @@
 #include "reference/relief_search.h"
 #include "reference/roof_search.h"
 #include "textures/sample_reliefs.h"
-#include "textures/storage_format.h"
 
 namespace relievo::bench {
 
@@ -54,21 +54,10 @@ struct KindEntry {
     PreparedSearch (*prepare)(const DepthMap& relief);
 };
 
-double meanOfLimited(const Plane& ratio) {
-    double sum = 0.0;
-    std::size_t limited = 0;
-    for (const float value : ratio.texels)
-        if (value < textures::kLargestHalf) {
-            sum += static_cast<double>(value);
-            ++limited;
-        }
-    return limited > 0 ? sum / static_cast<double>(limited) : 0.0;
-}
-
 /// A search with cones as its map.
 template <class SearchByCones>
 PreparedSearch prepareCones(Plane ratio, const SearchByCones& search) {
-    const double mean = meanOfLimited(ratio);
+    const double mean = meanRatio(ratio);
     return {[cones = std::make_shared<const Plane>(std::move(ratio)), search](
                 const DepthMap& relief, const DescendingRay& ray) {
                 return search(relief, *cones, ray);
@@ -104,7 +93,7 @@ PreparedSearch prepareRoofs(const DepthMap& relief) {
     roofs->block = kBlock;
     double mean = 0.0;
     for (auto& [roof, ratio] : preprocess::buildRoofCones(relief, {kSectors, kBlock})) {
-        mean += meanOfLimited(ratio) / kSectors;
+        mean += meanRatio(ratio) / kSectors;
         roofs->layers.push_back({std::move(roof), std::move(ratio)});
     }
     return {[roofs](const DepthMap& map, const DescendingRay& ray) {

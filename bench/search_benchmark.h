@@ -40,7 +40,7 @@ struct SearchMeasurement {
     double meanLookups = 0.0;
     int mostLookups = 0;
     double wrongShare = 0.0;  ///< in [0,1]; see measureSearches
-    /// Mean of the map's limited ratios, tile widths per unit of depth; nothing without cones.
+    /// Mean of the map's ratios (mean_ratio.h); nothing without cones.
     std::optional<double> meanRatio;
 };
 

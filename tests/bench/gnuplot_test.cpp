@@ -55,6 +55,21 @@ TEST(Gnuplot, DrawsSvgWithEveryTitle) {
         EXPECT_THAT(svg, HasSubstr(text));
 }
 
+TEST(Gnuplot, PanelsToCompareHaveOneAxisAndNameTheirSeriesOnce) {
+    Plot plot = samplePlot();
+    plot.isCompared = true;
+    const std::string script = gnuplotScript(plot, "plot.svg");
+    EXPECT_THAT(script, HasSubstr("set yrange [1:10]\nunset key"));
+    EXPECT_THAT(script, HasSubstr("layout 2,2"));
+    EXPECT_THAT(script, HasSubstr("NaN with linespoints linetype 1 title 'noise', \\\n"
+                                  "     NaN with linespoints linetype 2 title 'waves'"));
+    const tests::ScratchFolder folder;
+    drawPlot(plot, folder.file("plot.svg"));
+    EXPECT_THAT(tests::readBytes(folder.file("plot.svg")), HasSubstr("waves"));
+    drawPlot(Plot{.title = "none", .xLabel = "", .yLabel = "", .isCompared = true, .panels = {}},
+             folder.file("none.svg"));
+}
+
 TEST(Gnuplot, FailureToDrawIsAnError) {
     EXPECT_THROW(drawPlot(samplePlot(), "/no-such-folder/plot.svg"), std::runtime_error);
     Plot plot = samplePlot();
