@@ -204,6 +204,28 @@ TEST(ViewDisplacement, OfAPlainIsTheRootOfAParabola) {
     EXPECT_GT(misses, 0);
 }
 
+// Three times as deep, with three times the tangent (60° for 30°) and curvature, is the same place.
+TEST(ViewDisplacement, ServesOtherScales) {
+    ViewGrid grid = smallGrid();
+    grid.elevations = 3;
+    ViewGrid deep = grid;
+    deep.depthScale *= 3.0;
+    deep.sharpest *= 3.0;
+    const DepthMap map = noiseMap(9, 6, WrapMode::Repeat, 8);
+    const Table table = buildViewDisplacement(map, grid);
+    const Table deepTable = buildViewDisplacement(map, deep);
+    forAllEntries(map, grid, [&](const Entry& entry) {
+        if (entry.elevation != 0)
+            return;
+        Entry steep = entry;
+        steep.elevation = 1;
+        const double distance = distanceAt(table, grid, entry);
+        const double other = distanceAt(deepTable, deep, steep);
+        ASSERT_EQ(distance < 0.0, other < 0.0);
+        ASSERT_NEAR(distance, distance < 0.0 ? distance : other / std::sqrt(3.0), 1e-6);
+    });
+}
+
 TEST(ViewDisplacement, OnTheReferenceSurfaceIsNothing) {
     const DepthMap map{Plane(2, 5, 0.0f), WrapMode::Repeat};
     for (const Plane& plane : buildViewDisplacement(map, smallGrid()))
