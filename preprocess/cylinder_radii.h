@@ -24,6 +24,9 @@ namespace relievo::preprocess {
 /// falls away evenly, or less and less, marks nothing; the crest of a ridge does, and the part of a
 /// hill that falls away more and more.
 ///
+/// Twisted cells are marked with good reason: along one of their diagonals a ray that touches the
+/// surface comes out again as soon as one likes. tolerant_radii.h overlooks such shallow dips.
+///
 /// So the radius is safe for all rays, but not the widest: a marked cell counts as if every ray
 /// came out of it. Noise in the last bit of depths marks cells as well.
 ///

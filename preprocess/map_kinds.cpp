@@ -16,6 +16,7 @@
 #include "preprocess/distance_volume.h"
 #include "preprocess/horizon_map.h"
 #include "preprocess/normals.h"
+#include "preprocess/tolerant_radii.h"
 #include "preprocess/view_displacement.h"
 #include "preprocess/visibility_ellipses.h"
 
@@ -202,8 +203,17 @@ std::vector<std::string> cylinderChannels(const ReliefPlan&) {
 }
 
 std::string buildCylinders(const MapRequest& request, MapSet& maps) {
-    maps.channels.push_back({"cylinder", buildCylinderRadii(request.relief)});
-    return "distances to crests in four quadrants";
+    const double tolerance = request.plan.cylinderTolerance;
+    textures::Plane radii = buildCylinderRadii(request.relief);
+    if (tolerance > 0.0) {
+        const textures::Plane tolerant = buildTolerantRadii(request.relief, tolerance);
+        std::ranges::transform(radii.texels, tolerant.texels, radii.texels.begin(),
+                               [](float a, float b) { return std::max(a, b); });
+    }
+    const auto stalling = std::ranges::count(radii.texels, 0.0f);
+    maps.channels.push_back({"cylinder", std::move(radii)});
+    maps.attributes["relievo:cylinder-tolerance"] = fmt::format("{}", tolerance);
+    return fmt::format("tolerance {}, no radius at {} texels", tolerance, stalling);
 }
 
 std::vector<std::string> extremaChannels(const ReliefPlan&) {
@@ -260,8 +270,10 @@ constexpr MapKind kKinds[] = {
      ellipseChannels, buildEllipses, horizonBytes},
     {"occlusion", "occlusion: the share of the sky's light at --normal-scale", occlusionChannels,
      buildOcclusionMap, horizonBytes},
-    {"cylinder", "cylinder: radii in which no ray pierces the relief twice", cylinderChannels,
-     buildCylinders, bytes<16>},
+    {"cylinder",
+     "cylinder: radii in which no ray pierces the relief twice, but for "
+     "--cylinder-tolerance",
+     cylinderChannels, buildCylinders, bytes<80>},
     {"normal", "nx, ny, nz: unit normals at --normal-scale", normalChannels, buildNormalMap,
      bytes<8>},
     {"extrema", "dmin, dmax: least and greatest depths within --reach texels", extremaChannels,

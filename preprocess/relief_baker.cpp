@@ -115,6 +115,8 @@ std::string planProblem(const ReliefPlan& plan) {
         return "--normal-scale: expected a number from 0";
     if (plan.reach < 0 || plan.reach > kFarthestReach)
         return fmt::format("--reach: expected 0 to {}", kFarthestReach);
+    if (!(plan.cylinderTolerance >= 0.0 && plan.cylinderTolerance <= 1.0))
+        return "--cylinder-tolerance: expected a depth from 0 to 1";
     if (plan.azimuths < kFewestAzimuths || plan.azimuths > kMostAzimuths)
         return fmt::format("--azimuths: expected {} to {}", kFewestAzimuths, kMostAzimuths);
     if (plan.slices < 1 || plan.slices > kMostSlices)
@@ -140,6 +142,8 @@ std::string optionWords(const ReliefPlan& plan) {
     }
     if (plan.has("extrema"))
         words += fmt::format(" reach={}", plan.reach);
+    if (plan.has("cylinder"))
+        words += fmt::format(" cylinder-tolerance={}", plan.cylinderTolerance);
     if (plan.has("horizon") || plan.has("occlusion") || plan.has("ellipse"))
         words += fmt::format(" azimuths={}", plan.azimuths);
     if (plan.has("normal") || plan.has("occlusion") || plan.has("ellipse"))

@@ -83,6 +83,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
     job.plan.reach = arguments.reach;
+    job.plan.cylinderTolerance = arguments.cylinderTolerance;
     job.plan.azimuths = arguments.azimuths;
     job.plan.slices = arguments.slices;
     job.plan.volumeScale = arguments.volumeScale;
@@ -312,6 +313,12 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         ->add_option("--reach", arguments.reach,
                      "How far around a texel the map extrema looks, in texels")
         ->check(CLI::Range(0, kFarthestReach))
+        ->capture_default_str();
+    command
+        ->add_option("--cylinder-tolerance", arguments.cylinderTolerance,
+                     "How deep below the surface a ray may be without counting for the map "
+                     "cylinder")
+        ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     command
         ->add_option("--azimuths", arguments.azimuths,

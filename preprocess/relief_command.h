@@ -26,6 +26,7 @@ struct ReliefArguments {
     std::string format;
     double normalScale = 0.1;
     int reach = 4;
+    double cylinderTolerance = 0.01;
     int azimuths = 8;
     int slices = 16;
     double volumeScale = 0.1;

@@ -38,7 +38,9 @@ struct ReliefPlan {
     bool mips = false;  ///< MIP levels down to 1×1, each with its own maps
     /// Depth scale of the maps `normal`, `occlusion` and `ellipse`, in tile widths.
     double normalScale = 0.1;
-    int reach = 4;             ///< of the map `extrema`, in texels
+    int reach = 4;  ///< of the map `extrema`, in texels
+    /// Of the map `cylinder`: rays that are never deeper than this below the surface do not count.
+    double cylinderTolerance = 0.01;
     int azimuths = 8;          ///< of the maps `horizon`, `occlusion` and `ellipse`
     int slices = 16;           ///< layers of the map `volume`
     double volumeScale = 0.1;  ///< depth scale of the map `volume`, in tile widths

@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "preprocess/tolerant_radii.h"
 #include "reference/surface_crossings.h"
 #include "tests/preprocess/small_reliefs.h"
 #include "tests/preprocess/thread_limit.h"
@@ -47,8 +48,10 @@ reference::TileRay drawRay(const DepthMap& map, int i, int j, double radius,
     return {{u, v, z}, {du, dv, down}};
 }
 
-// How many rays come out of the relief again before they end, at `extra` texels beyond the radius.
-int countReappearing(const DepthMap& map, const Plane& radii, double extra, int raysPerTexel) {
+// How many rays come out of the relief again before they end, at `extra` texels beyond the radius,
+// after they were deeper than the tolerance.
+int countReappearing(const DepthMap& map, const Plane& radii, double extra, int raysPerTexel,
+                     double tolerance = reference::kPiercingDepth) {
     std::mt19937 generator(4);
     int reappearing = 0;
     for (int j = 0; j < map.height(); ++j)
@@ -57,9 +60,9 @@ int countReappearing(const DepthMap& map, const Plane& radii, double extra, int 
                 const double radius = std::min<double>(radii.at(i, j), 3.0) + extra / map.width();
                 if (radius == 0.0)
                     continue;
-                reappearing +=
-                    reference::farthestReappearance(map, drawRay(map, i, j, radius, generator), 1.0)
-                        .depth > reference::kPiercingDepth;
+                reappearing += reference::farthestReappearance(
+                                   map, drawRay(map, i, j, radius, generator), 1.0, tolerance)
+                                   .depth > reference::kPiercingDepth;
             }
     return reappearing;
 }
@@ -158,6 +161,73 @@ TEST(CylinderRadii, AreTheSameForOneAndTwoThreads) {
     const DepthMap map = noiseMap(150, 70, WrapMode::Mirror, 5, 3);
     const auto build = [&] { return buildCylinderRadii(map).texels; };
     EXPECT_EQ(onThreads(1, build), onThreads(2, build));
+}
+
+TEST(TolerantRadii, NoRayComesOutAfterItWasDeeperThanTheTolerance) {
+    for (const WrapMode wrap : kWraps)
+        for (const auto& [width, height] :
+             {std::pair{1, 1}, {1, 9}, {10, 1}, {17, 13}, {64, 1}, {31, 24}})
+            for (const double tolerance : {0.01, 0.1, 0.5})
+                for (const DepthMap& map :
+                     {noiseMap(width, height, wrap, 5), noiseMap(width, height, wrap, 5, 3),
+                      hillMap(width, height, wrap, 0.5), hillMap(width, height, wrap, 1.7)})
+                    EXPECT_EQ(countReappearing(map, buildTolerantRadii(map, tolerance), 0.0, 20,
+                                               tolerance),
+                              0)
+                        << width << "x" << height << " " << wrapModeName(wrap) << " " << tolerance;
+}
+
+TEST(TolerantRadii, RaysInWiderOnesDo) {
+    const DepthMap map = hillMap(31, 24, WrapMode::Repeat);
+    constexpr double kTolerance = 0.03;
+    Plane radii = buildTolerantRadii(map, kTolerance);
+    for (float& radius : radii.texels)
+        radius *= 3.0f;
+    EXPECT_GT(countReappearing(map, radii, 0.0, 40, kTolerance), 0);
+    DepthMap ridge{Plane(24, 6), WrapMode::Clamp};
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 24; ++i)
+            ridge.depth.at(i, j) = static_cast<float>(i) / 24.0f;
+    DepthMap repeated = ridge;
+    repeated.wrap = WrapMode::Repeat;
+    EXPECT_GT(
+        countReappearing(repeated, buildTolerantRadii(ridge, kTolerance), 0.0, 40, kTolerance), 0)
+        << "the wrong wrap mode";
+}
+
+// Slopes of 1/16 of the depth per texel on both sides of the crest of a ridge: two gradients differ
+// by 1/8, so that a tolerance of 0.05 goes as far as 4·0.05·8 = 1.6 texels.
+TEST(TolerantRadii, OverARidgeAreGivenByItsSlopes) {
+    DepthMap map{Plane(32, 8), WrapMode::Repeat};
+    for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 32; ++i)
+            map.depth.at(i, j) = static_cast<float>(std::abs(i - 16)) / 16.0f;
+    const Plane radii = buildTolerantRadii(map, 0.05);
+    EXPECT_NEAR(32.0 * radii.at(16, 3), 1.6, 1e-5);
+    EXPECT_NEAR(32.0 * radii.at(8, 3), 5.5, 1e-5) << "windows of 6 texels see a plane";
+    for (const float radius : buildTolerantRadii({Plane(5, 4, 0.3f), WrapMode::Clamp}, 0.05).texels)
+        EXPECT_TRUE(std::isinf(radius));
+}
+
+TEST(TolerantRadii, AreWideOnSmoothHillsWhereTheOthersAreNone) {
+    const DepthMap map = hillMap(64, 64, WrapMode::Repeat);
+    const Plane strict = buildCylinderRadii(map);
+    const Plane tolerant = buildTolerantRadii(map, 0.05);
+    EXPECT_EQ(std::count(strict.texels.begin(), strict.texels.end(), 0.0f), 64 * 64);
+    EXPECT_GT(*std::min_element(tolerant.texels.begin(), tolerant.texels.end()), 0.0f);
+}
+
+TEST(TolerantRadii, AreThoseOfTheMosaicForAnyNumberOfThreads) {
+    for (const WrapMode wrap : kWraps) {
+        const DepthMap map = hillMap(13, 8, wrap, 1.2);
+        const auto build = [&] { return buildTolerantRadii(map, 0.1).texels; };
+        EXPECT_EQ(onThreads(1, build), onThreads(2, build));
+        const Plane radii = buildTolerantRadii(map, 0.1);
+        const Plane wide = buildTolerantRadii(mosaicOf(map, 1), 0.1);
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 13; ++i)
+                EXPECT_NEAR(radii.at(i, j), 3.0f * wide.at(i + 13, j + 8), 1e-6f);
+    }
 }
 
 }  // namespace

@@ -156,6 +156,11 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
         plan.maps = {"extrema"};
         plan.reach = 1;
     });
+    expectNew([](ReliefPlan& plan) { plan.maps = {"cylinder"}; });
+    expectNew([](ReliefPlan& plan) {
+        plan.maps = {"cylinder"};
+        plan.cylinderTolerance = 0.0;
+    });
     const auto expectNewViews = [&](auto change) {
         expectNew([&](ReliefPlan& plan) {
             plan.maps = {"vdm"};
@@ -213,6 +218,8 @@ TEST(ReliefBaker, ImpossiblePlansAreTold) {
                 HasSubstr("--volume-scale"));
     EXPECT_THAT(problem([](ReliefPlan& plan) { plan.azimuths = 2; }), HasSubstr("--azimuths"));
     EXPECT_THAT(problem([](ReliefPlan& plan) { plan.reach = -1; }), HasSubstr("--reach"));
+    EXPECT_THAT(problem([](ReliefPlan& plan) { plan.cylinderTolerance = 2.0; }),
+                HasSubstr("--cylinder-tolerance"));
     EXPECT_THAT(problem([](ReliefPlan& plan) {
                     plan.maps = {"depth", "moon"};
                 }),
