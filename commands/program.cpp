@@ -96,8 +96,10 @@ void answer(const std::string& line) {
 }
 
 void say(const std::string& line) {
-    if (!quiet)
-        answer(line);
+    if (quiet)
+        return;
+    answer(line);
+    std::fflush(stdout);  // at once, also through a pipe: what comes next may take long
 }
 
 void note(const std::string& line) {
