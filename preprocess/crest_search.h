@@ -68,12 +68,13 @@ class CrestSearch {
 
     [[nodiscard]] const SlopeSearchStatistics& statistics() const noexcept { return statistics_; }
 
-    /// Sixteen neighbouring texels: columns and rows, depths of the corners, known slopes.
+    /// Neighbouring texels: columns and rows, and row by row the depths of the corners and known
+    /// slopes.
     struct alignas(64) Packet {
-        std::array<float, kLanes> column;
-        std::array<float, kLanes> row;
-        std::array<std::array<float, kLanes>, 4> depth;
-        std::array<float, kLanes> known;
+        std::array<float, kPacketSize> column;
+        std::array<float, kPacketSize> row;
+        std::array<std::array<float, kPacketApexes>, 4> depth;
+        std::array<float, kPacketApexes> known;
     };
     /// A leaf in a copy of the tile, given by the first column and row of the copy, as seen with
     /// reflected axes (bit 0: x, bit 1: y).
@@ -83,11 +84,12 @@ class CrestSearch {
         int copyI = 0;
         int copyJ = 0;
         int reflection = 0;
+        [[nodiscard]] bool exists() const noexcept { return i >= 0; }
         bool operator==(const Place&) const = default;
     };
     struct alignas(64) Found {
-        std::array<float, kLanes> slope;
-        std::array<Place, kLanes> place;
+        std::array<float, kPacketApexes> slope;
+        std::array<Place, kPacketApexes> place;
     };
     struct Node {
         int level;

@@ -7,12 +7,18 @@
 // under the slopes by more than these could have taken off.
 constexpr float kCrestRounding = 1e-6f;
 
-// The apexes of a packet, in texels, along reflected axes.
-struct CrestApexes {
+// Apexes of a strip, two rows of a packet, in texels along reflected axes.
+constexpr int kStrips = kPacketSize / 2;
+static_assert(2 * kPacketSize == kLanes);
+struct CrestStrip {
     Lanes x;
     Lanes y;
     Lanes depth[4];
     Lanes deepest;
+};
+
+struct CrestApexes {
+    CrestStrip strips[kStrips];
     float left;
     float right;
     float top;
@@ -38,10 +44,13 @@ struct TexelLeaves {
     // Where the growth vanishes the twist of a cell decides.
     static constexpr bool kMayTwist = true;
     [[nodiscard]] float least(int i, int j) const { return depths.at(i + 1, j + 1); }
+    [[nodiscard]] GradientBox gradients(int i, int j) const {
+        return gradientsAtTexel(depths, i + 1, j + 1);
+    }
 
     // The depth grows after the texel by the gradient of the cell there, which is another one on
     // each side of it; where that vanishes, by the twist of the cell.
-    [[nodiscard]] SquaredSlopes steepest(const CrestApexes& apexes, int i, int j, float x,
+    [[nodiscard]] SquaredSlopes steepest(const CrestStrip& apexes, int i, int j, float x,
                                          float y) const {
         const float* const here = depths.texels.data() + depths.index(i + 1, j + 1);
         const int row = depths.width;
@@ -89,7 +98,7 @@ struct CellLeaves {
         return std::min(std::min(first[0], first[1]), std::min(below[0], below[1]));
     }
 
-    [[nodiscard]] SquaredSlopes steepest(const CrestApexes& apexes, int i, int j, float x,
+    [[nodiscard]] SquaredSlopes steepest(const CrestStrip& apexes, int i, int j, float x,
                                          float y) const {
         const float* const first = depths.texels.data() + depths.index(i, j);
         const float* const below = first + depths.width;
@@ -140,14 +149,18 @@ inline float leastTowards(const CrestTree::Node& node, const DirectionRange& ran
     return result;
 }
 
-// The leaves of a node along one axis, in texels, and how far they are from the apexes.
+// The leaves of a node along one axis, in texels, and how far they are from the packet.
 struct CrestSpan {
     float first;
     float last;
-    Lanes toFirst;  // least and most steps from the apexes
+    float leastGap;
+};
+
+// As seen from the apexes of a strip.
+struct CrestSteps {
+    Lanes toFirst;  // the least and the most
     Lanes toLast;
     Lanes gaps;
-    float leastGap;
 };
 
 // The search of one packet.
@@ -167,9 +180,11 @@ class CrestTraversal {
           statistics_(statistics) {}
 
     void run(const CrestSearch::Packet& packet, std::span<const Place> seeds) {
-        top_ = roundedUp(loadLanes(packet.known.data()), Leaves::kBits);
-        square_ = top_ * top_;
-        roundSlopes();
+        for (int strip = 0; strip < kStrips; ++strip) {
+            top_[strip] = roundedUp(loadStrip(packet.known, strip), Leaves::kBits);
+            square_[strip] = top_[strip] * top_[strip];
+        }
+        limitSlopes();
         const int reflections = scene_.wrap == textures::WrapMode::Mirror ? 4 : 1;
         for (int reflection = 0; reflection < reflections; ++reflection) {
             if ((reflection % 2 != 0 && scene_.copiesX == 0) ||
@@ -187,69 +202,84 @@ class CrestTraversal {
     }
 
     void store(CrestSearch::Found& found) const {
-        storeLanes(top_, found.slope.data());
-        std::copy(places_, places_ + kLanes, found.place.begin());
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const auto first = static_cast<std::size_t>(strip) * kLanes;
+            storeLanes(top_[strip], &found.slope[first]);
+            std::copy_n(places_[strip], kLanes, found.place.begin() + first);
+        }
     }
 
   private:
-    void placeApexes(const CrestSearch::Packet& packet) {
-        const int flipX = reflection_ % 2;
-        const int flipY = reflection_ / 2;
-        const Lanes columns = loadLanes(packet.column.data());
-        const Lanes rows = loadLanes(packet.row.data());
-        apexes_.x = flipX != 0 ? -1.0f - columns : columns;
-        apexes_.y = flipY != 0 ? -1.0f - rows : rows;
-        for (int k = 0; k < 4; ++k)
-            apexes_.depth[k] =
-                loadLanes(packet.depth[static_cast<std::size_t>(k ^ reflection_)].data());
-        apexes_.deepest = larger(larger(apexes_.depth[0], apexes_.depth[1]),
-                                 larger(apexes_.depth[2], apexes_.depth[3]));
-        apexes_.greatestDepth = largestLane(apexes_.deepest);
-        apexes_.left = smallestLane(apexes_.x) - Leaves::kHalfSide;
-        apexes_.right = largestLane(apexes_.x) + Leaves::kHalfSide;
-        apexes_.top = smallestLane(apexes_.y) - Leaves::kHalfSide;
-        apexes_.bottom = largestLane(apexes_.y) + Leaves::kHalfSide;
+    static Lanes loadStrip(const std::array<float, kPacketApexes>& values, int strip) {
+        return loadLanes(&values[static_cast<std::size_t>(strip) * kLanes]);
     }
 
-    [[nodiscard]] static CrestSpan spanOf(int level, int i, int leaves, int copy, Lanes positions,
-                                          float low, float high) {
+    void placeApexes(const CrestSearch::Packet& packet) {
+        const bool flipsX = reflection_ % 2 != 0;
+        const bool flipsY = reflection_ / 2 != 0;
+        const auto placeOf = [](float place, bool flips) { return flips ? -1.0f - place : place; };
+        apexes_.greatestDepth = -kUnbounded;
+        for (int strip = 0; strip < kStrips; ++strip) {
+            CrestStrip& some = apexes_.strips[strip];
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const auto column = static_cast<std::size_t>(lane % kPacketSize);
+                const auto row = static_cast<std::size_t>(2 * strip + lane / kPacketSize);
+                some.x[lane] = placeOf(packet.column[column], flipsX);
+                some.y[lane] = placeOf(packet.row[row], flipsY);
+            }
+            for (int k = 0; k < 4; ++k)
+                some.depth[k] =
+                    loadStrip(packet.depth[static_cast<std::size_t>(k ^ reflection_)], strip);
+            some.deepest =
+                larger(larger(some.depth[0], some.depth[1]), larger(some.depth[2], some.depth[3]));
+            apexes_.greatestDepth = std::max(apexes_.greatestDepth, largestLane(some.deepest));
+        }
+        const auto [left, right] = std::minmax(
+            {placeOf(packet.column.front(), flipsX), placeOf(packet.column.back(), flipsX)});
+        const auto [top, bottom] =
+            std::minmax({placeOf(packet.row.front(), flipsY), placeOf(packet.row.back(), flipsY)});
+        apexes_.left = left - Leaves::kHalfSide;
+        apexes_.right = right + Leaves::kHalfSide;
+        apexes_.top = top - Leaves::kHalfSide;
+        apexes_.bottom = bottom + Leaves::kHalfSide;
+    }
+
+    [[nodiscard]] static CrestSpan spanOf(int level, int i, int leaves, int copy, float low,
+                                          float high) {
         const int end = std::min((i + 1) << level, leaves);
         const float first = Leaves::kOrigin + static_cast<float>(copy + (i << level));
         const float last = Leaves::kOrigin + static_cast<float>(copy + end - 1) + Leaves::kSize;
-        const Lanes toFirst = first - positions - Leaves::kHalfSide;
-        const Lanes toLast = last - positions + Leaves::kHalfSide;
-        return {first,
-                last,
-                toFirst,
-                toLast,
-                larger(larger(toFirst, -toLast), Lanes{}),
-                std::max(std::max(first - high, low - last), 0.0f)};
+        return {first, last, std::max(std::max(first - high, low - last), 0.0f)};
     }
     [[nodiscard]] CrestSpan columns(int level, int i, const Place& place) const {
-        return spanOf(level, i, tree_.columns, place.copyI, apexes_.x, apexes_.left, apexes_.right);
+        return spanOf(level, i, tree_.columns, place.copyI, apexes_.left, apexes_.right);
     }
     [[nodiscard]] CrestSpan rows(int level, int j, const Place& place) const {
-        return spanOf(level, j, tree_.rows, place.copyJ, apexes_.y, apexes_.top, apexes_.bottom);
+        return spanOf(level, j, tree_.rows, place.copyJ, apexes_.top, apexes_.bottom);
+    }
+    [[nodiscard]] static CrestSteps stepsTo(const CrestSpan& span, Lanes positions) {
+        const Lanes toFirst = span.first - positions - Leaves::kHalfSide;
+        const Lanes toLast = span.last - positions + Leaves::kHalfSide;
+        return {toFirst, toLast, larger(larger(toFirst, -toLast), Lanes{})};
     }
 
     // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
-    // of some apex.
-    [[nodiscard]] LaneMask mayRise(const CrestSpan& x, const CrestSpan& y, float least) const {
+    // of some apex of the strip, and the depth may grow along it by a gradient of the box.
+    [[nodiscard]] LaneMask mayCount(int strip, const CrestSpan& columns, const CrestSpan& rows,
+                                    float least, const GradientBox& box) const {
+        const CrestStrip& apexes = apexes_.strips[strip];
+        const CrestSteps x = stepsTo(columns, apexes.x);
+        const CrestSteps y = stepsTo(rows, apexes.y);
         const Lanes down = y.gaps * scene_.aspect;
         const Lanes square = x.gaps * x.gaps + down * down - correction_;
-        const Lanes difference = larger(apexes_.deepest - least, Lanes{});
-        return difference * difference > limit_ * square;
-    }
-
-    // Whether the depth may grow by a gradient of the box over a step from some apex.
-    [[nodiscard]] LaneMask mayDeepen(const CrestSpan& x, const CrestSpan& y,
-                                     const GradientBox& box) const {
-        const auto most = [](float low, float high, const CrestSpan& span) {
-            return larger(larger(low * span.toFirst, low * span.toLast),
-                          larger(high * span.toFirst, high * span.toLast));
+        const Lanes difference = larger(apexes.deepest - least, Lanes{});
+        const auto most = [](float low, float high, const CrestSteps& steps) {
+            return larger(larger(low * steps.toFirst, low * steps.toLast),
+                          larger(high * steps.toFirst, high * steps.toLast));
         };
         const Lanes growth = most(box.xLeast, box.xMost, x) + most(box.yLeast, box.yMost, y);
-        return Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{};
+        return (difference * difference > limit_[strip] * square) &
+               (Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{});
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -340,8 +370,10 @@ class CrestTraversal {
         if (bound <= leastLimit_)
             return;
         ++statistics_.nodes;
-        const LaneMask rise = mayRise(x, y, least);
-        if (anyLane(rise) && anyLane(rise & mayDeepen(x, y, node.gradients)))
+        LaneMask counts{};
+        for (int strip = 0; strip < kStrips; ++strip)
+            counts |= mayCount(strip, x, y, least, node.gradients);
+        if (anyLane(counts))
             push({level, place, bound}, first);
     }
 
@@ -381,39 +413,59 @@ class CrestTraversal {
     }
 
     void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y) {
-        LaneMask open = mayRise(x, y, leaves_.least(place.i, place.j));
-        if constexpr (Leaves::kReach >= 0) {
-            const Lanes beforeX = x.first - apexes_.x;
-            const Lanes beforeY = y.first - apexes_.y;
-            const auto low = static_cast<float>(-Leaves::kReach - 1);
-            const auto high = static_cast<float>(Leaves::kReach);
-            open &= ~((beforeX >= splat(low)) & (beforeX <= splat(high)) & (beforeY >= splat(low)) &
-                      (beforeY <= splat(high)));
-        }
-        if (!anyLane(open))
+        const float least = leaves_.least(place.i, place.j);
+        if (boundOf(x, y, least) <= leastLimit_)
             return;
-        if constexpr (Leaves::kSize > 0.0f)
-            if (!anyLane(open &= mayDeepen(x, y, leaves_.gradients(place.i, place.j))))
-                return;
+        const GradientBox gradients = leaves_.gradients(place.i, place.j);
+        for (int strip = 0; strip < kStrips; ++strip) {
+            const LaneMask open = mayCount(strip, x, y, least, gradients) & ~isLeftOut(strip, x, y);
+            if (anyLane(open))
+                tryLeaf(strip, place, open, x, y);
+        }
+    }
+
+    // Cells near the apexes' squares are near_crests.h's.
+    [[nodiscard]] LaneMask isLeftOut(int strip, const CrestSpan& x, const CrestSpan& y) const {
+        if constexpr (Leaves::kReach < 0)
+            return LaneMask{};
+        const Lanes beforeX = x.first - apexes_.strips[strip].x;
+        const Lanes beforeY = y.first - apexes_.strips[strip].y;
+        const auto low = static_cast<float>(-Leaves::kReach - 1);
+        const auto high = static_cast<float>(Leaves::kReach);
+        return (beforeX >= splat(low)) & (beforeX <= splat(high)) & (beforeY >= splat(low)) &
+               (beforeY <= splat(high));
+    }
+
+    void tryLeaf(int strip, const Place& place, LaneMask open, const CrestSpan& x,
+                 const CrestSpan& y) {
         ++statistics_.samples;
-        const Lanes found = leaves_.steepest(apexes_, place.i, place.j, x.first, y.first);
-        const LaneMask steeper = open & (found > square_);
+        const Lanes found =
+            leaves_.steepest(apexes_.strips[strip], place.i, place.j, x.first, y.first);
+        const LaneMask steeper = open & (found > square_[strip]);
         if (!anyLane(steeper))
             return;
-        square_ = steeper ? found : square_;
+        square_[strip] = steeper ? found : square_[strip];
         for (int k = 0; k < kLanes; ++k)
             if (steeper[k] != 0)
-                places_[k] = place;
+                places_[strip][k] = place;
         changed_ = true;
     }
 
     void roundSlopes() {
-        if (changed_)
-            top_ = roundedUp(squareRoots(square_), Leaves::kBits);
+        if (!changed_)
+            return;
+        for (int strip = 0; strip < kStrips; ++strip)
+            top_[strip] = roundedUp(squareRoots(square_[strip]), Leaves::kBits);
+        limitSlopes();
         changed_ = false;
-        const Lanes topSquare = top_ * top_;
-        limit_ = topSquare * (1.0f - kCrestRounding);
-        leastLimit_ = smallestLane(limit_);
+    }
+
+    void limitSlopes() {
+        leastLimit_ = kUnbounded;
+        for (int strip = 0; strip < kStrips; ++strip) {
+            limit_[strip] = top_[strip] * top_[strip] * (1.0f - kCrestRounding);
+            leastLimit_ = std::min(leastLimit_, smallestLane(limit_[strip]));
+        }
     }
 
     const CrestSearch::Scene& scene_;
@@ -425,12 +477,12 @@ class CrestTraversal {
 
     int reflection_ = 0;
     CrestApexes apexes_{};
-    Lanes square_{};  // of the steepest slopes so far
-    Lanes top_{};     // their roots, rounded up
-    Lanes limit_{};   // the squares of these, less what rounding may take off a bound
+    Lanes square_[kStrips]{};  // of the steepest slopes so far
+    Lanes top_[kStrips]{};     // their roots, rounded up
+    Lanes limit_[kStrips]{};   // the squares of these, less what rounding may take off a bound
     float leastLimit_ = 0.0f;
     bool changed_ = false;
-    Place places_[kLanes];
+    Place places_[kStrips][kLanes];
 };
 
 [[gnu::flatten]] inline void findTexelCrests(const CrestSearch::Scene& scene,

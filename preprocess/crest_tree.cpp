@@ -58,17 +58,6 @@ CrestTree::Node nodeOf(const CrestTree& tree, int level, int i, int j) {
     return node;
 }
 
-// The gradients at a texel in the four cells around it. Where they vanish a twist may deepen: the
-// growth by gradients is not negative there.
-GradientBox gradientsAtTexel(const Plane& depths, int i, int j) {
-    const float here = depths.at(i, j);
-    const auto [xLeast, xMost] =
-        std::minmax({depths.at(i + 1, j) - here, here - depths.at(i - 1, j)});
-    const auto [yLeast, yMost] =
-        std::minmax({depths.at(i, j + 1) - here, here - depths.at(i, j - 1)});
-    return {xLeast, xMost, yLeast, yMost};
-}
-
 // Along each quadrant the gradient at the texel is that of the cell there; where it vanishes the
 // twist of the cell decides.
 Sectors sectorsAtTexel(const Plane& depths, int i, int j) {

@@ -40,6 +40,17 @@ inline GradientBox gradientsOf(float d0, float d1, float d2, float d3) noexcept 
             std::max(d2 - d0, d3 - d1)};
 }
 
+/// The gradients at texel (i,j) of `depths`, not of its border, in the four cells around it. Where
+/// they vanish along a direction a twist may deepen: the growth by gradients is not negative there.
+inline GradientBox gradientsAtTexel(const textures::Plane& depths, int i, int j) noexcept {
+    const float* const here = depths.texels.data() + depths.index(i, j);
+    const int row = depths.width;
+    return {std::min(here[1] - *here, *here - here[-1]),
+            std::max(here[1] - *here, *here - here[-1]),
+            std::min(here[row] - *here, *here - here[-row]),
+            std::max(here[row] - *here, *here - here[-row])};
+}
+
 /// All sectors with a direction along which the depth may grow, for a gradient of the box.
 Sectors sectorsThatDeepen(const GradientBox& gradients) noexcept;
 

@@ -76,6 +76,7 @@ struct SamplePlace {
     static constexpr int kNone = INT_MIN;
     int i = kNone;
     int j = kNone;
+    [[nodiscard]] bool exists() const noexcept { return i != kNone; }
     bool operator==(const SamplePlace&) const = default;
 };
 
