@@ -63,22 +63,30 @@ Times timesOf(const Measurements& measurements) {
     return times;
 }
 
+std::map<std::string, int> largestSizes(const Measurements& measurements) {
+    std::map<std::string, int> largest;
+    for (const BakeMeasurement& m : measurements)
+        largest[m.builder] = std::max(largest[m.builder], m.size);
+    return largest;
+}
+
+std::string builderAt(const BakeMeasurement& measurement) {
+    return fmt::format("{} at {}", measurement.builder, squareOf(measurement.size));
+}
+
 // Time per texel at the largest size of each builder over that at 512², or at the least size.
 ReportSection growth(const Measurements& measurements) {
     const std::vector<int> sizes = sizesOf(measurements);
     const int from = std::find(sizes.begin(), sizes.end(), kGrowthFrom) != sizes.end()
                          ? kGrowthFrom
                          : *std::min_element(sizes.begin(), sizes.end());
-    std::map<std::string, int> largest;
-    for (const BakeMeasurement& m : measurements)
-        largest[m.builder] = std::max(largest[m.builder], m.size);
+    const std::map<std::string, int> largest = largestSizes(measurements);
     const Times times = timesOf(measurements);
     MeasurementGrid grid;
     for (const BakeMeasurement& m : measurements)
-        if (m.size > from && m.size == largest[m.builder])
+        if (m.size > from && m.size == largest.at(m.builder))
             if (const auto first = times.find({m.builder, m.sample, from}); first != times.end())
-                grid.add(fmt::format("{} at {}", m.builder, squareOf(m.size)), m.sample,
-                         m.nanosecondsPerTexel() / first->second);
+                grid.add(builderAt(m), m.sample, m.nanosecondsPerTexel() / first->second);
     return {"Growth", fmt::format("Time per texel over that at {}.", squareOf(from)),
             grid.table("builder", meanOf)};
 }
@@ -114,17 +122,17 @@ ReportSection againstBaselines(const Measurements& measurements) {
             grid.table("builders", meanOf)};
 }
 
-ReportSection memory(const Measurements& measurements, int size) {
+// At the largest size of each builder, where tables of a fixed size hardly count.
+ReportSection memory(const Measurements& measurements) {
+    const std::map<std::string, int> largest = largestSizes(measurements);
     MeasurementGrid grid;
     for (const BakeMeasurement& m : measurements)
-        if (m.workingBytes && m.size == size) {
-            grid.add(m.builder, "measured", *m.workingBytes);
+        if (m.workingBytes && m.size == largest.at(m.builder)) {
+            grid.add(builderAt(m), "measured", *m.workingBytes);
             if (const auto stated = bakeBuilder(m.builder).statedBytes)
-                grid.add(m.builder, "counted on by relievo-bake", *stated);
+                grid.add(builderAt(m), "counted on by relievo-bake", *stated);
         }
-    return {"Memory",
-            fmt::format("Bytes a texel beyond map and result at {}: the most on any sample.",
-                        squareOf(size)),
+    return {"Memory", "Bytes a texel beyond map and result: the most on any sample.",
             grid.table("builder", greatestOf)};
 }
 
@@ -151,7 +159,7 @@ std::vector<ReportSection> summariseBake(const Measurements& measurements) {
         sections,
         {"Mean ratios", fmt::format("At {}; ratios above 1 count as 1.", squareOf(size)),
          onEverySample(measurements, size, [](const BakeMeasurement& m) { return m.meanRatio; })});
-    addSection(sections, memory(measurements, size));
+    addSection(sections, memory(measurements));
     return sections;
 }
 

@@ -59,9 +59,11 @@ TEST(BakeSummary, BaselinesAreComparedAtTheLargestSizeOfBoth) {
 
 TEST(BakeSummary, MemoryIsTheMostOnAnySampleBesideWhatIsStated) {
     const ReportTable table = sectionOf(summariseBake(kMeasurements), "Memory").table;
-    ASSERT_EQ(table.rows.size(), 1u);  // squares were not measured at 1024²
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "cones-texel at 1024²");
     EXPECT_EQ(std::get<double>(table.rows[0][1]), 9.5);
     EXPECT_GT(std::get<double>(table.rows[0][2]), 9.5);
+    EXPECT_EQ(std::get<std::string>(table.rows[1][0]), "cones-squares at 512²");
 }
 
 TEST(BakeSummary, WithoutMeasurementsHasNoSections) {
