@@ -16,7 +16,7 @@ constexpr int kReach = CrestSearch::kReach;
 constexpr int kCells = 2 * kReach + 2;  // in a row
 
 // Bounds within this of what a chord attains are accepted.
-constexpr float kAccepted = 1.05f;
+constexpr float kAccepted = 1.08f;
 constexpr float kLeastSide = 0.125f;
 constexpr int kMostPairs = 512;
 
