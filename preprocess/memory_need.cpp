@@ -19,7 +19,7 @@ constexpr double kPlaneBytes = sizeof(float);
 // Red, green and blue, and the luminance that is made of them.
 constexpr double kReadingBytes = 4 * kPlaneBytes;
 // The libraries with their tables, and some rows of the file at a time.
-constexpr double kProgramBytes = 100e6;
+constexpr double kProgramBytes = 150e6;
 constexpr double kRowBuffers = 256;
 
 // The number behind `key` in a file of lines such as "MemAvailable:  123 kB".
