@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Checks by exact rays that the cones of every sample relief keep their promise, in every wrap mode,
 # format, encoding and MIP level: scripts/verify_samples.sh [RAYS for each map, 1e6] [SIZE, 256x256]
-# [SAMPLES, all]. Prints a row for each case, and at last cones that are not safe, which must be
-# found out. Exit status 1 if any case is not as expected. About 1 s for a million rays and core.
+# [SAMPLES, all]. Prints a row for each case (violations in all and in each MIP level), and at last
+# cones that are not safe, which must be found out. Exit status 1 if any case is not as expected.
+# About 1 s for a million rays and core.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,7 +15,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
 
-# Bakes $folder/height.exr with the given options into $1 and prints a row with violations by map.
+# check safe|unsafe SAMPLE EXTENSION OPTION...: bakes $folder/height.exr and prints its row.
 check() {
     local expected=$1 name=$2 file=$folder/map.$3
     shift 3
@@ -31,7 +32,7 @@ check() {
     fi
 }
 
-printf '%s rays for each map, %s texels; violations of each MIP level\n' "$rays" "$size"
+printf '%s rays for each map, %s texels; violations in all and in each MIP level\n' "$rays" "$size"
 for sample in $samples; do
     $bake sample "$sample" -o "$folder/height.exr" --size "$size" --quiet
     for wrap in repeat mirror clamp; do
