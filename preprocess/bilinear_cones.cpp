@@ -82,6 +82,7 @@ struct MarkGrid {
     }
     [[nodiscard]] bool at(int i, int j) const { return marks[index(i, j)] != 0; }
     void mark(int i, int j) { marks[index(i, j)] = 1; }
+    void unmark(int i, int j) { marks[index(i, j)] = 0; }
     [[nodiscard]] bool anyIn(const BlockPlace& place) const {
         bool any = false;
         forTexels(place, [&](int i, int j, std::size_t) { any = any || at(i, j); });
@@ -97,6 +98,15 @@ struct BilinearCones::Marks {
     MarkGrid corners;
     Marks(int width, int height, bool mark)
         : texels(width, height, mark), corners(width + 1, height + 1, mark) {}
+
+    // Marks the texels whose squares have a marked corner.
+    void addSquares(int width, int height) {
+        for (int j = 0; j < height; ++j)
+            for (int i = 0; i < width; ++i)
+                if (corners.at(i, j) || corners.at(i + 1, j) || corners.at(i, j + 1) ||
+                    corners.at(i + 1, j + 1))
+                    texels.mark(i, j);
+    }
 };
 
 struct BilinearCones::Workers {
@@ -115,13 +125,15 @@ BilinearCones::BilinearCones(DepthMap map, const std::function<void(std::size_t)
       ratio_(map_.width(), map_.height()),
       workers_(new Workers{
           tbb::enumerable_thread_specific<Worker>([this] { return Worker(tree_, map_); })}) {
-    build(Marks(map_.width(), map_.height(), true), advance);
+    Marks marks(map_.width(), map_.height(), true);
+    build(marks, advance);
     collect(workers_->ofThreads, statistics);
 }
 
-void BilinearCones::build(const Marks& marks, const std::function<void(std::size_t)>& advance) {
+void BilinearCones::build(Marks& marks, const std::function<void(std::size_t)>& advance) {
     findCoarse(marks);
     findCorners(marks);
+    marks.addSquares(map_.width(), map_.height());
     refine(marks, advance);
 }
 
@@ -148,7 +160,8 @@ float BilinearCones::knownAround(int i, int j) const {
     return known;
 }
 
-void BilinearCones::findCorners(const Marks& marks) {
+// Leaves those corners marked whose slopes changed.
+void BilinearCones::findCorners(Marks& marks) {
     forAllBlocks(corner_.width, corner_.height, workers_->ofThreads,
                  [&](Worker& state, const BlockPlace& place) {
                      if (!marks.corners.anyIn(place))
@@ -168,8 +181,11 @@ void BilinearCones::findCorners(const Marks& marks) {
                      });
                      findSlopes(state.search, state.apexes, state.slopes);
                      forTexels(place, [&](int i, int j, std::size_t k) {
-                         if (marks.corners.at(i, j))
-                             corner_.at(i, j) = state.slopes[k];
+                         if (!marks.corners.at(i, j))
+                             return;
+                         if (corner_.at(i, j) == state.slopes[k])
+                             marks.corners.unmark(i, j);
+                         corner_.at(i, j) = state.slopes[k];
                      });
                  });
 }
@@ -197,11 +213,25 @@ void BilinearCones::refine(const Marks& marks, const std::function<void(std::siz
                  });
 }
 
-// Marks the corners, and the squares around them, whose slopes the samples of the rectangle may
-// set, or may have set: those that no chord there, to the least depth it has or had, can be as
-// steep as.
-void BilinearCones::markInfluence(const TexelRectangle& rectangle, float leastDepth,
-                                  Marks& marks) const {
+// Marks the corners, and the squares around them, whose near chords the samples of the rectangle
+// may change.
+void BilinearCones::markNear(const TexelRectangle& rectangle, Marks& marks) const {
+    const auto isNear = [&](int corner, int first, int length, int size) {
+        return axisGap(static_cast<float>(corner) - 0.5f, first, first + length - 1, size,
+                       map_.wrap) <= static_cast<float>(kNearInfluence);
+    };
+    for (int j = 0; j < corner_.height; ++j)
+        if (isNear(j, rectangle.top, rectangle.height, map_.height()))
+            for (int i = 0; i < corner_.width; ++i)
+                if (isNear(i, rectangle.left, rectangle.width, map_.width()))
+                    marks.corners.mark(i, j);
+    marks.addSquares(map_.width(), map_.height());
+}
+
+// Marks the corners whose far slopes the samples of the rectangle may set, or may have set: those
+// that no chord there, to the least depth it has or had, can be as steep as.
+void BilinearCones::markReached(const TexelRectangle& rectangle, float leastDepth,
+                                Marks& marks) const {
     const int right = rectangle.left + rectangle.width - 1;
     const int bottom = rectangle.top + rectangle.height - 1;
     const auto aspect = static_cast<float>(map_.texelAspect);
@@ -215,21 +245,13 @@ void BilinearCones::markInfluence(const TexelRectangle& rectangle, float leastDe
             axisGap(static_cast<float>(j) - 0.5f, rectangle.top, bottom, map_.height(), map_.wrap);
         for (int i = 0; i < corner_.width; ++i) {
             const float column = across[static_cast<std::size_t>(i)];
-            const bool isNear = std::max(column, gap) <= static_cast<float>(kNearInfluence);
             const float square = column * column + gap * gap * aspect * aspect - correction;
             const float difference = cornerDepth_.at(i, j) - leastDepth;
-            const bool reaches =
-                !isNear && difference > 0.0f &&
-                roundedUp(difference / std::sqrt(square) * (1.0f + 2e-6f)) >= corner_.at(i, j);
-            if (isNear || reaches)
+            if (!marks.corners.at(i, j) && difference > 0.0f &&
+                roundedUp(difference / std::sqrt(square) * (1.0f + 2e-6f)) >= corner_.at(i, j))
                 marks.corners.mark(i, j);
         }
     });
-    for (int j = 0; j < map_.height(); ++j)
-        for (int i = 0; i < map_.width(); ++i)
-            if (marks.corners.at(i, j) || marks.corners.at(i + 1, j) ||
-                marks.corners.at(i, j + 1) || marks.corners.at(i + 1, j + 1))
-                marks.texels.mark(i, j);
 }
 
 std::size_t BilinearCones::edit(int left, int top, const Plane& depths) {
@@ -249,7 +271,8 @@ std::size_t BilinearCones::edit(int left, int top, const Plane& depths) {
         return 0;  // nothing changed
     updateReliefTree(tree_, map_.depth, rectangle);
     Marks marks(map_.width(), map_.height(), false);
-    markInfluence(rectangle, least, marks);
+    markNear(rectangle, marks);
+    markReached(rectangle, least, marks);
     build(marks, {});
     return static_cast<std::size_t>(std::ranges::count(marks.texels.marks, std::uint8_t{1}));
 }

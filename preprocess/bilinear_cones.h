@@ -43,12 +43,13 @@ class BilinearCones {
   private:
     struct Marks;
     struct Workers;
-    void build(const Marks& marks, const std::function<void(std::size_t)>& advance);
+    void build(Marks& marks, const std::function<void(std::size_t)>& advance);
     void findCoarse(const Marks& marks);
-    void findCorners(const Marks& marks);
+    void findCorners(Marks& marks);
     void refine(const Marks& marks, const std::function<void(std::size_t)>& advance);
     [[nodiscard]] float knownAround(int i, int j) const;
-    void markInfluence(const TexelRectangle& rectangle, float leastDepth, Marks& marks) const;
+    void markNear(const TexelRectangle& rectangle, Marks& marks) const;
+    void markReached(const TexelRectangle& rectangle, float leastDepth, Marks& marks) const;
 
     textures::DepthMap map_;
     ReliefTree tree_;
