@@ -8,26 +8,40 @@
 
 namespace relievo::preprocess {
 
-ChordTable::ChordTable(const SampleLattice& lattice, const Rules& rules, double aspect) {
-    const int subdivisions = lattice.subdivisions();
-    const auto isSample = [&](int place) { return place % rules.sampleStep == 0; };
-    const int reach = rules.farthest + rules.apexReach;
-    for (int ay = -rules.apexReach; ay <= rules.apexReach; ++ay)
-        for (int ax = -rules.apexReach; ax <= rules.apexReach; ++ax) {
+namespace {
+
+ChordTable::SquaredLength lengthsOf(const ChordTable::Rules& rules, int subdivisions,
+                                    double aspect) {
+    return [=](ChordTable::Point apex, ChordTable::Point sample) -> std::optional<double> {
+        const int away = std::max(std::abs(sample.x - apex.x), std::abs(sample.y - apex.y));
+        const int limit =
+            rules.aroundTexel ? std::max(std::abs(sample.x), std::abs(sample.y)) : away;
+        if (sample.x % rules.sampleStep != 0 || sample.y % rules.sampleStep != 0 ||
+            away < rules.nearest || limit > rules.farthest)
+            return std::nullopt;
+        const double across = 1.0 * (sample.x - apex.x) / subdivisions;
+        const double down = aspect * (sample.y - apex.y) / subdivisions;
+        return across * across + down * down - rules.correction;
+    };
+}
+
+}  // namespace
+
+ChordTable::ChordTable(const SampleLattice& lattice, const Rules& rules, double aspect)
+    : ChordTable(lattice, rules.apexReach, rules.farthest + rules.apexReach,
+                 lengthsOf(rules, lattice.subdivisions(), aspect)) {}
+
+ChordTable::ChordTable(const SampleLattice& lattice, int apexReach, int sampleReach,
+                       const SquaredLength& squaredLength) {
+    for (int ay = -apexReach; ay <= apexReach; ++ay)
+        for (int ax = -apexReach; ax <= apexReach; ++ax) {
             std::map<double, std::vector<std::ptrdiff_t>> rings;
-            for (int y = -reach; y <= reach; ++y)
-                for (int x = -reach; x <= reach; ++x) {
-                    const int away = std::max(std::abs(x - ax), std::abs(y - ay));
-                    const int limit = rules.aroundTexel ? std::max(std::abs(x), std::abs(y)) : away;
-                    if (!isSample(x) || !isSample(y) || away < rules.nearest ||
-                        limit > rules.farthest)
-                        continue;
-                    const double across = 1.0 * (x - ax) / subdivisions;
-                    const double down = aspect * (y - ay) / subdivisions;
-                    const double square = across * across + down * down - rules.correction;
-                    assert(square > 0.0);
-                    rings[square].push_back(lattice.stepTo(x, y));
-                }
+            for (int y = -sampleReach; y <= sampleReach; ++y)
+                for (int x = -sampleReach; x <= sampleReach; ++x)
+                    if (const auto square = squaredLength({ax, ay}, {x, y})) {
+                        assert(*square > 0.0);
+                        rings[*square].push_back(lattice.stepTo(x, y));
+                    }
             apexes_.push_back({lattice.stepTo(ax, ay), static_cast<int>(rings.size())});
             for (const auto& [square, samples] : rings) {
                 rings_.push_back({static_cast<float>(1.0 / std::sqrt(square)),

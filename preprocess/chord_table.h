@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "preprocess/sample_lattice.h"
@@ -23,6 +25,19 @@ class ChordTable {
     };
     /// `aspect`: the height of a texel over its width.
     ChordTable(const SampleLattice& lattice, const Rules& rules, double aspect);
+
+    /// A lattice point, in subdivisions from the texel's centre.
+    struct Point {
+        int x;
+        int y;
+    };
+    /// The square of the length, in texel widths, that a chord counts with; nothing where it does
+    /// not count.
+    using SquaredLength = std::function<std::optional<double>(Point apex, Point sample)>;
+    /// Chords that no such rules describe. Apexes and samples up to so many subdivisions from the
+    /// texel's centre are asked for.
+    ChordTable(const SampleLattice& lattice, int apexReach, int sampleReach,
+               const SquaredLength& squaredLength);
 
     struct Apex {
         std::ptrdiff_t step;  ///< from the centre of the texel

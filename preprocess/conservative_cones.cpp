@@ -25,7 +25,8 @@ using Advance = std::function<void(std::size_t)>;
 // Slopes are products and quotients of a handful of floats.
 constexpr double kSlopeRounding = 3e-7;
 
-constexpr int kTexelWindow = 6;
+// The larger the window, the less is searched: beyond this the table takes longer.
+constexpr int kTexelWindow = 12;
 
 struct TexelState {
     SampleLattice lattice{1, kBlockSize, kTexelWindow};

@@ -68,8 +68,8 @@ class CrestSearch {
 
     [[nodiscard]] const SlopeSearchStatistics& statistics() const noexcept { return statistics_; }
 
-    /// Neighbouring texels: columns and rows, and row by row the depths of the corners and known
-    /// slopes.
+    /// Neighbouring texels: columns and rows, and in the order of packetIndex (packet_search.h) the
+    /// depths of the corners and known slopes.
     struct alignas(64) Packet {
         std::array<float, kPacketSize> column;
         std::array<float, kPacketSize> row;

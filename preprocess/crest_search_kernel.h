@@ -7,10 +7,11 @@
 // under the slopes by more than these could have taken off.
 constexpr float kCrestRounding = 1e-6f;
 
-// Apexes of a strip, two rows of a packet, in texels along reflected axes.
-constexpr int kStrips = kPacketSize / 2;
-static_assert(2 * kPacketSize == kLanes);
-struct CrestStrip {
+// Apexes of a quarter of a packet (packet_search.h), in texels along reflected axes.
+constexpr int kQuarters = 4;
+constexpr int kQuarterSize = kPacketSize / 2;
+static_assert(kQuarterSize * kQuarterSize == kLanes);
+struct CrestQuarter {
     Lanes x;
     Lanes y;
     Lanes depth[4];
@@ -18,7 +19,7 @@ struct CrestStrip {
 };
 
 struct CrestApexes {
-    CrestStrip strips[kStrips];
+    CrestQuarter quarters[kQuarters];
     float left;
     float right;
     float top;
@@ -50,7 +51,7 @@ struct TexelLeaves {
 
     // The depth grows after the texel by the gradient of the cell there, which is another one on
     // each side of it; where that vanishes, by the twist of the cell.
-    [[nodiscard]] SquaredSlopes steepest(const CrestStrip& apexes, int i, int j, float x,
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
                                          float y) const {
         const float* const here = depths.texels.data() + depths.index(i + 1, j + 1);
         const int row = depths.width;
@@ -98,7 +99,7 @@ struct CellLeaves {
         return std::min(std::min(first[0], first[1]), std::min(below[0], below[1]));
     }
 
-    [[nodiscard]] SquaredSlopes steepest(const CrestStrip& apexes, int i, int j, float x,
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
                                          float y) const {
         const float* const first = depths.texels.data() + depths.index(i, j);
         const float* const below = first + depths.width;
@@ -156,7 +157,7 @@ struct CrestSpan {
     float leastGap;
 };
 
-// As seen from the apexes of a strip.
+// As seen from the apexes of a quarter.
 struct CrestSteps {
     Lanes toFirst;  // the least and the most
     Lanes toLast;
@@ -180,9 +181,9 @@ class CrestTraversal {
           statistics_(statistics) {}
 
     void run(const CrestSearch::Packet& packet, std::span<const Place> seeds) {
-        for (int strip = 0; strip < kStrips; ++strip) {
-            top_[strip] = roundedUp(loadStrip(packet.known, strip), Leaves::kBits);
-            square_[strip] = top_[strip] * top_[strip];
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            top_[quarter] = roundedUp(loadQuarter(packet.known, quarter), Leaves::kBits);
+            square_[quarter] = top_[quarter] * top_[quarter];
         }
         limitSlopes();
         const int reflections = scene_.wrap == textures::WrapMode::Mirror ? 4 : 1;
@@ -202,16 +203,16 @@ class CrestTraversal {
     }
 
     void store(CrestSearch::Found& found) const {
-        for (int strip = 0; strip < kStrips; ++strip) {
-            const auto first = static_cast<std::size_t>(strip) * kLanes;
-            storeLanes(top_[strip], &found.slope[first]);
-            std::copy_n(places_[strip], kLanes, found.place.begin() + first);
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const auto first = static_cast<std::size_t>(quarter) * kLanes;
+            storeLanes(top_[quarter], &found.slope[first]);
+            std::copy_n(places_[quarter], kLanes, found.place.begin() + first);
         }
     }
 
   private:
-    static Lanes loadStrip(const std::array<float, kPacketApexes>& values, int strip) {
-        return loadLanes(&values[static_cast<std::size_t>(strip) * kLanes]);
+    static Lanes loadQuarter(const std::array<float, kPacketApexes>& values, int quarter) {
+        return loadLanes(&values[static_cast<std::size_t>(quarter) * kLanes]);
     }
 
     void placeApexes(const CrestSearch::Packet& packet) {
@@ -219,17 +220,17 @@ class CrestTraversal {
         const bool flipsY = reflection_ / 2 != 0;
         const auto placeOf = [](float place, bool flips) { return flips ? -1.0f - place : place; };
         apexes_.greatestDepth = -kUnbounded;
-        for (int strip = 0; strip < kStrips; ++strip) {
-            CrestStrip& some = apexes_.strips[strip];
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            CrestQuarter& some = apexes_.quarters[quarter];
             for (int lane = 0; lane < kLanes; ++lane) {
-                const auto column = static_cast<std::size_t>(lane % kPacketSize);
-                const auto row = static_cast<std::size_t>(2 * strip + lane / kPacketSize);
-                some.x[lane] = placeOf(packet.column[column], flipsX);
-                some.y[lane] = placeOf(packet.row[row], flipsY);
+                const int column = quarter % 2 * kQuarterSize + lane % kQuarterSize;
+                const int row = quarter / 2 * kQuarterSize + lane / kQuarterSize;
+                some.x[lane] = placeOf(packet.column[static_cast<std::size_t>(column)], flipsX);
+                some.y[lane] = placeOf(packet.row[static_cast<std::size_t>(row)], flipsY);
             }
             for (int k = 0; k < 4; ++k)
                 some.depth[k] =
-                    loadStrip(packet.depth[static_cast<std::size_t>(k ^ reflection_)], strip);
+                    loadQuarter(packet.depth[static_cast<std::size_t>(k ^ reflection_)], quarter);
             some.deepest =
                 larger(larger(some.depth[0], some.depth[1]), larger(some.depth[2], some.depth[3]));
             apexes_.greatestDepth = std::max(apexes_.greatestDepth, largestLane(some.deepest));
@@ -264,10 +265,10 @@ class CrestTraversal {
     }
 
     // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
-    // of some apex of the strip, and the depth may grow along it by a gradient of the box.
-    [[nodiscard]] LaneMask mayCount(int strip, const CrestSpan& columns, const CrestSpan& rows,
+    // of some apex of the quarter, and the depth may grow along it by a gradient of the box.
+    [[nodiscard]] LaneMask mayCount(int quarter, const CrestSpan& columns, const CrestSpan& rows,
                                     float least, const GradientBox& box) const {
-        const CrestStrip& apexes = apexes_.strips[strip];
+        const CrestQuarter& apexes = apexes_.quarters[quarter];
         const CrestSteps x = stepsTo(columns, apexes.x);
         const CrestSteps y = stepsTo(rows, apexes.y);
         const Lanes down = y.gaps * scene_.aspect;
@@ -278,7 +279,7 @@ class CrestTraversal {
                           larger(high * steps.toFirst, high * steps.toLast));
         };
         const Lanes growth = most(box.xLeast, box.xMost, x) + most(box.yLeast, box.yMost, y);
-        return (difference * difference > limit_[strip] * square) &
+        return (difference * difference > limit_[quarter] * square) &
                (Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{});
     }
 
@@ -371,8 +372,8 @@ class CrestTraversal {
             return;
         ++statistics_.nodes;
         LaneMask counts{};
-        for (int strip = 0; strip < kStrips; ++strip)
-            counts |= mayCount(strip, x, y, least, node.gradients);
+        for (int quarter = 0; quarter < kQuarters; ++quarter)
+            counts |= mayCount(quarter, x, y, least, node.gradients);
         if (anyLane(counts))
             push({level, place, bound}, first);
     }
@@ -417,54 +418,55 @@ class CrestTraversal {
         if (boundOf(x, y, least) <= leastLimit_)
             return;
         const GradientBox gradients = leaves_.gradients(place.i, place.j);
-        for (int strip = 0; strip < kStrips; ++strip) {
-            const LaneMask open = mayCount(strip, x, y, least, gradients) & ~isLeftOut(strip, x, y);
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const LaneMask open =
+                mayCount(quarter, x, y, least, gradients) & ~isLeftOut(quarter, x, y);
             if (anyLane(open))
-                tryLeaf(strip, place, open, x, y);
+                tryLeaf(quarter, place, open, x, y);
         }
     }
 
     // Cells near the apexes' squares are near_crests.h's.
-    [[nodiscard]] LaneMask isLeftOut(int strip, const CrestSpan& x, const CrestSpan& y) const {
+    [[nodiscard]] LaneMask isLeftOut(int quarter, const CrestSpan& x, const CrestSpan& y) const {
         if constexpr (Leaves::kReach < 0)
             return LaneMask{};
-        const Lanes beforeX = x.first - apexes_.strips[strip].x;
-        const Lanes beforeY = y.first - apexes_.strips[strip].y;
+        const Lanes beforeX = x.first - apexes_.quarters[quarter].x;
+        const Lanes beforeY = y.first - apexes_.quarters[quarter].y;
         const auto low = static_cast<float>(-Leaves::kReach - 1);
         const auto high = static_cast<float>(Leaves::kReach);
         return (beforeX >= splat(low)) & (beforeX <= splat(high)) & (beforeY >= splat(low)) &
                (beforeY <= splat(high));
     }
 
-    void tryLeaf(int strip, const Place& place, LaneMask open, const CrestSpan& x,
+    void tryLeaf(int quarter, const Place& place, LaneMask open, const CrestSpan& x,
                  const CrestSpan& y) {
         ++statistics_.samples;
         const Lanes found =
-            leaves_.steepest(apexes_.strips[strip], place.i, place.j, x.first, y.first);
-        const LaneMask steeper = open & (found > square_[strip]);
+            leaves_.steepest(apexes_.quarters[quarter], place.i, place.j, x.first, y.first);
+        const LaneMask steeper = open & (found > square_[quarter]);
         if (!anyLane(steeper))
             return;
-        square_[strip] = steeper ? found : square_[strip];
+        square_[quarter] = steeper ? found : square_[quarter];
         for (int k = 0; k < kLanes; ++k)
             if (steeper[k] != 0)
-                places_[strip][k] = place;
+                places_[quarter][k] = place;
         changed_ = true;
     }
 
     void roundSlopes() {
         if (!changed_)
             return;
-        for (int strip = 0; strip < kStrips; ++strip)
-            top_[strip] = roundedUp(squareRoots(square_[strip]), Leaves::kBits);
+        for (int quarter = 0; quarter < kQuarters; ++quarter)
+            top_[quarter] = roundedUp(squareRoots(square_[quarter]), Leaves::kBits);
         limitSlopes();
         changed_ = false;
     }
 
     void limitSlopes() {
         leastLimit_ = kUnbounded;
-        for (int strip = 0; strip < kStrips; ++strip) {
-            limit_[strip] = top_[strip] * top_[strip] * (1.0f - kCrestRounding);
-            leastLimit_ = std::min(leastLimit_, smallestLane(limit_[strip]));
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            limit_[quarter] = top_[quarter] * top_[quarter] * (1.0f - kCrestRounding);
+            leastLimit_ = std::min(leastLimit_, smallestLane(limit_[quarter]));
         }
     }
 
@@ -477,12 +479,12 @@ class CrestTraversal {
 
     int reflection_ = 0;
     CrestApexes apexes_{};
-    Lanes square_[kStrips]{};  // of the steepest slopes so far
-    Lanes top_[kStrips]{};     // their roots, rounded up
-    Lanes limit_[kStrips]{};   // the squares of these, less what rounding may take off a bound
+    Lanes square_[kQuarters]{};  // of the steepest slopes so far
+    Lanes top_[kQuarters]{};     // their roots, rounded up
+    Lanes limit_[kQuarters]{};   // the squares of these, less what rounding may take off a bound
     float leastLimit_ = 0.0f;
     bool changed_ = false;
-    Place places_[kStrips][kLanes];
+    Place places_[kQuarters][kLanes];
 };
 
 [[gnu::flatten]] inline void findTexelCrests(const CrestSearch::Scene& scene,

@@ -47,13 +47,25 @@ inline float smallestLane(Lanes lanes) {
     return -largestLane(-lanes);
 }
 
+// The compiler takes these two through memory where a register would do, and waits for it.
 inline Lanes squareRoots(Lanes lanes) {
+#if defined(__AVX512DQ__)
+    return _mm512_sqrt_ps(lanes);
+#else
     float values[kLanes];
     std::memcpy(values, &lanes, sizeof(lanes));
     for (float& value : values)
         value = std::sqrt(value);
     std::memcpy(&lanes, values, sizeof(lanes));
     return lanes;
+#endif
+}
+inline Lanes fourTimes(Four four) {
+#if defined(__AVX512DQ__)
+    return _mm512_broadcast_f32x4(four);
+#else
+    return __builtin_shufflevector(four, four, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+#endif
 }
 
 // Rounded up to floats with `bits` < 23 significant bits after the first: the least such number

@@ -16,4 +16,8 @@ inline constexpr int kLanes = 16;
 using Lanes = float __attribute__((vector_size(64)));
 using LaneMask = std::int32_t __attribute__((vector_size(64)));  ///< −1 where true, 0 where not
 
+/// Four of them, as there are children of a node.
+using Four = float __attribute__((vector_size(16)));
+using FourMask = std::int32_t __attribute__((vector_size(16)));
+
 }  // namespace relievo::preprocess

@@ -9,9 +9,11 @@
 
 namespace relievo::preprocess {
 
-/// Index of the apex in a column and row of a packet.
+/// Index of the apex in a column and row of a packet: quarter by quarter, each row by row.
 constexpr std::size_t packetIndex(int column, int row) noexcept {
-    return static_cast<std::size_t>(row * kPacketSize + column);
+    constexpr int kSize = kPacketSize / 2;
+    const int quarter = column / kSize + 2 * (row / kSize);
+    return static_cast<std::size_t>((quarter * kSize + row % kSize) * kSize + column % kSize);
 }
 
 /// Searches width × height apexes of a block packet by packet, row by row of them:

@@ -2,13 +2,22 @@
 
 #include <tbb/blocked_range.h>
 
+#include <algorithm>
 #include <cassert>
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "preprocess/apex_block.h"
 #include "preprocess/block_loop.h"
+#include "preprocess/chord_table.h"
+#include "preprocess/lanes.h"
+#include "preprocess/processor.h"
 #include "preprocess/round_down.h"
+#include "preprocess/sample_lattice.h"
+
+#define RELIEVO_KERNEL "preprocess/steepest_chords_kernel.h"
+#include "preprocess/for_each_processor.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -19,6 +28,9 @@ using textures::Plane;
 // Slopes are rounded up by 1/32 at most, 1/64 in the mean; and products and quotients of floats.
 constexpr int kBits = 5;
 constexpr double kSlopeRounding = 1e-6;
+// Samples up to so many texels from a cell are tried one by one, those beyond are searched.
+constexpr int kWindow = 16;
+constexpr double kHalfSide = 0.5;  // of a cell
 
 ChordSector sectorOf(int sector, int sectors, const DepthMap& map) {
     if (sectors == 1)
@@ -68,22 +80,49 @@ Plane roofsOf(const DepthMap& map, BlockReach across, BlockReach down) {
     return roof;
 }
 
+// The chords from cells, the middle of each half a texel after its texel's centre, to the samples
+// outside its block and within the window.
+ChordTable nearChords(const SampleLattice& lattice, const SlopeSearchRules& rules, int block,
+                      double aspect) {
+    const auto gapOf = [](double from) { return std::max(std::abs(from) - kHalfSide, 0.0); };
+    return {lattice, 0, kWindow + 1,
+            [=](ChordTable::Point, ChordTable::Point sample) -> std::optional<double> {
+                const double fromX = sample.x - kHalfSide;
+                const double fromY = sample.y - kHalfSide;
+                const double across = gapOf(fromX);
+                const double down = gapOf(fromY);
+                const double farther = std::max(across, down);
+                if (farther <= block || farther > kWindow ||
+                    !rules.sector.counts(fromX, fromY * aspect, kHalfSide, kHalfSide * aspect))
+                    return std::nullopt;
+                return across * across + down * down * aspect * aspect - rules.correction;
+            }};
+}
+
 struct RoofState {
+    SampleLattice lattice{1, kBlockSize, kWindow + 1};
+    ChordTable chords;
     SlopeSearch search;
     ApexBlock apexes;
     BlockValues slopes;
 
-    RoofState(const ReliefTree& tree, const DepthMap& map, const SlopeSearchRules& rules)
-        : search(tree, map.wrap, map.texelAspect, rules) {
-        apexes.known.fill(0.0f);
-    }
+    RoofState(const ReliefTree& tree, const DepthMap& map, const SlopeSearchRules& rules, int block)
+        : chords(nearChords(lattice, rules, block, map.texelAspect)),
+          search(tree, map.wrap, map.texelAspect, rules) {}
 };
 
 Plane ratiosOf(const Plane& roof, const DepthMap& map, const ReliefTree& tree,
-               const SlopeSearchRules& rules, const std::function<void(std::size_t)>& advance,
-               SlopeSearchStatistics* statistics) {
+               const ChordSector& sector, int block,
+               const std::function<void(std::size_t)>& advance, SlopeSearchStatistics* statistics) {
+    const double aspect = map.texelAspect;
+    const SlopeSearchRules rules{.window = static_cast<float>(std::max(kWindow, block)),
+                                 .correction = static_cast<float>((1.0 + aspect * aspect) / 4.0),
+                                 .halfSide = static_cast<float>(kHalfSide),
+                                 .bits = kBits,
+                                 .sector = sector};
     Plane ratio(map.width(), map.height());
-    tbb::enumerable_thread_specific<RoofState> states([&] { return RoofState(tree, map, rules); });
+    tbb::enumerable_thread_specific<RoofState> states(
+        [&] { return RoofState(tree, map, rules, block); });
     forAllBlocks(map.width(), map.height(), states, [&](RoofState& state, const BlockPlace& place) {
         state.apexes.left = static_cast<float>(place.left) + 0.5f;
         state.apexes.top = static_cast<float>(place.top) + 0.5f;
@@ -91,9 +130,13 @@ Plane ratiosOf(const Plane& roof, const DepthMap& map, const ReliefTree& tree,
         state.apexes.height = place.height;
         forTexels(place,
                   [&](int i, int j, std::size_t k) { state.apexes.depth[k] = roof.at(i, j); });
+        state.lattice.fill(map, place.left, place.top);
+        RELIEVO_CALL_KERNEL(steepestChordsFrom, state.apexes.depth, state.chords, state.lattice,
+                            state.apexes.known);
         findSlopes(state.search, state.apexes, state.slopes);
         forTexels(place, [&](int i, int j, std::size_t k) {
-            ratio.at(i, j) = ratioOfSlope(state.slopes[k] * (1.0 + kSlopeRounding), map.width());
+            const float slope = std::max(state.slopes[k], state.apexes.known[k]);
+            ratio.at(i, j) = ratioOfSlope(slope * (1.0 + kSlopeRounding), map.width());
         });
         if (advance)
             advance(place.texels());
@@ -112,20 +155,13 @@ std::vector<RoofConeLayer> buildRoofCones(const DepthMap& map, const RoofConeRul
     if (statistics != nullptr)
         *statistics = {};
     const ReliefTree tree = buildReliefTree(map.depth);
-    const double aspect = map.texelAspect;
     std::vector<RoofConeLayer> layers;
     for (int k = 0; k < rules.sectors; ++k) {
         const ChordSector sector = sectorOf(k, rules.sectors, map);
         RoofConeLayer layer;
         layer.roof =
             roofsOf(map, reachOf(sector.signX, rules.block), reachOf(sector.signY, rules.block));
-        layer.ratio = ratiosOf(layer.roof, map, tree,
-                               {.window = static_cast<float>(rules.block),
-                                .correction = static_cast<float>((1.0 + aspect * aspect) / 4.0),
-                                .halfSide = 0.5f,
-                                .bits = kBits,
-                                .sector = sector},
-                               advance, statistics);
+        layer.ratio = ratiosOf(layer.roof, map, tree, sector, rules.block, advance, statistics);
         layers.push_back(std::move(layer));
     }
     return layers;

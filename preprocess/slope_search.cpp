@@ -50,6 +50,18 @@ std::vector<TileCopy> copiesFor(const SlopeSearchSpace& space, const ChordSector
 
 }  // namespace
 
+bool ChordSector::counts(double fromX, double fromY, double halfSide,
+                         double halfHeight) const noexcept {
+    // The samples at the near corners of the cell count.
+    const double alongX = fromX * signX;
+    const double alongY = fromY * signY;
+    if (alongX < -1.5 * halfSide || alongY < -1.5 * halfHeight)
+        return false;
+    if (half == Half::Shallow)
+        return alongY <= alongX + slack;
+    return half == Half::Both || alongX <= alongY + slack;
+}
+
 SlopeSearchStatistics& SlopeSearchStatistics::operator+=(
     const SlopeSearchStatistics& other) noexcept {
     packets += other.packets;

@@ -28,6 +28,11 @@ struct ChordSector {
     float signY = 0.0f;      ///< the same for rows
     Half half = Half::Both;  ///< of a quadrant: |dx| ≥ |dy| or |dx| ≤ |dy|
     float slack = 0.0f;      ///< how far past its border a half goes, along an axis
+
+    /// Whether a sample counts that is (fromX,fromY) texel widths from the middle of a cell of the
+    /// given half sides.
+    [[nodiscard]] bool counts(double fromX, double fromY, double halfSide,
+                              double halfHeight) const noexcept;
 };
 
 /// The rules of one kind of search. Lengths in texel widths.
@@ -85,8 +90,8 @@ struct SamplePlace {
 inline constexpr int kPacketSize = 8;
 inline constexpr std::size_t kPacketApexes = static_cast<std::size_t>(kPacketSize) * kPacketSize;
 
-/// Neighbouring apexes: columns and rows in texels (fractions allowed), and row by row their depths
-/// and the slopes up to which nothing is of interest.
+/// Neighbouring apexes: columns and rows in texels (fractions allowed), and in the order of
+/// packetIndex (packet_search.h) their depths and the slopes up to which nothing is of interest.
 struct alignas(64) SlopePacket {
     std::array<float, kPacketSize> column;
     std::array<float, kPacketSize> row;

@@ -8,28 +8,29 @@ using Node = SlopeSearchNode;
 // A bound is computed with some eight roundings of floats: a node is given up only when it stays
 // under the slopes by more than these could have taken off.
 constexpr float kRounding = 1e-6f;
-// And one by planes with some eight of depths, at most 1.
-constexpr float kPlaneRounding = 5e-7f;
+// And one by planes with some sixteen of depths, at most 2: for a node that matters the product of
+// slope and distance is no more than the depths, and that of slope and packet less still.
+constexpr float kPlaneRounding = 2e-6f;
 constexpr float kUnbounded = 1e30f;
 
-// A packet in strips of two rows: a value for every apex.
-constexpr int kStrips = kPacketSize / 2;
-static_assert(2 * kPacketSize == kLanes);
-struct Strips {
-    Lanes of[kStrips];
+// A packet in quarters of four columns and rows: a value for every apex. Quarter q is the left or
+// right half of the packet (q % 2) and the upper or lower one (q / 2).
+constexpr int kQuarters = 4;
+constexpr int kQuarterSize = kPacketSize / 2;
+static_assert(kQuarterSize * kQuarterSize == kLanes);
+struct Quarters {
+    Lanes of[kQuarters];
 };
 
-// The samples of a node along one axis, in texel widths, as seen from the packet as a whole, with
-// the squares of their distances to each apex: one strip's where they are the same for all.
-template <typename Gaps>
+// The samples of a node along one axis, in texel widths, as seen from the packet as a whole and
+// from the apexes of each half of it: the squares of their distances.
 struct Span {
     float first;
     float last;
     float leastGap;
-    Gaps squaredGaps;
+    Lanes squaredGaps[2];
+    LaneMask isAhead[2];  // whether a sample is in the directions of the sector
 };
-using Columns = Span<Lanes>;
-using Rows = Span<Strips>;
 
 // All apexes of a packet, in texel widths.
 struct PacketBounds {
@@ -75,7 +76,7 @@ class SectorSamples {
     }
 
     // Whether some sample of a node may count, for the packet as a whole.
-    [[nodiscard]] bool reaches(const Columns& x, const Rows& y, const PacketBounds& packet) const {
+    [[nodiscard]] bool reaches(const Span& x, const Span& y, const PacketBounds& packet) const {
         const float farX = ahead(x, packet.left, packet.right, sector_.signX);
         const float farY = ahead(y, packet.top, packet.bottom, sector_.signY);
         if ((sector_.signX != 0.0f && farX < -0.5f * halfSide_) ||
@@ -92,12 +93,10 @@ class SectorSamples {
 
   private:
     // The farthest that the samples of a span are ahead of the packet, against `sign`.
-    template <typename Gaps>
-    static float ahead(const Span<Gaps>& span, float low, float high, float sign) {
+    static float ahead(const Span& span, float low, float high, float sign) {
         return sign > 0.0f ? span.last - low : high - span.first;
     }
-    template <typename Gaps>
-    static float aheadAtLeast(const Span<Gaps>& span, float low, float high, float sign) {
+    static float aheadAtLeast(const Span& span, float low, float high, float sign) {
         return sign > 0.0f ? span.first - high : low - span.last;
     }
     const ReliefTree& tree_;
@@ -107,9 +106,6 @@ class SectorSamples {
 };
 
 // Four children of a node at once.
-using Four = float __attribute__((vector_size(16)));
-using FourMask = std::int32_t __attribute__((vector_size(16)));
-
 inline Four fourOf(float first, float second, float third, float fourth) {
     return Four{first, second, third, fourth};
 }
@@ -129,8 +125,8 @@ inline Four squareRootsOf(Four values) {
 
 // The columns and rows of the children.
 struct QuadSpans {
-    Columns x[2];
-    Rows y[2];
+    Span x[2];
+    Span y[2];
 
     template <typename Value>
     [[nodiscard]] Four alongX(const Value& value) const {
@@ -148,27 +144,33 @@ struct QuadBounds {
     Four bound;  // no chord into a child is steeper, squared
 };
 
-// Planes below the samples of the children (relief_tree.h) along directions w towards them: for an
-// apex at a, how far w·y from the first sample is beyond w·a.
+// Planes below the samples of the children (relief_tree.h) as bounds on chords: a chord from an
+// apex at a with the slope s may rise above them where D(a) + base + s·(w·a + growth) > 0. Lane 4q
+// + k is for quarter q and child k.
 struct QuadPlanes {
-    Four wx;
-    Four wy;
-    Four toFirst;
-    Four base;
-    Four slopeX;
-    Four slopeY;
-    Four width;
-    Four height;
+    Lanes wx;  // towards the child
+    Lanes wy;
+    Lanes base;
+    Lanes growth;
 };
 
-// Samples of one column or row, as seen from the apexes.
+// For each quarter the same.
+inline Lanes forQuarters(Four children) {
+    return fourTimes(children);
+}
+inline void setQuarter(Lanes& lanes, int quarter, float value) {
+    for (int k = 0; k < 4; ++k)
+        lanes[4 * quarter + k] = value;
+}
+
+// Samples of one column or row, as seen from the apexes of a half.
 struct SampleLine {
     Lanes from;
     Lanes squaredGaps;
     LaneMask isOutside;  // of the window
 };
-struct SampleRow {
-    SampleLine strips[kStrips];
+struct SampleLines {
+    SampleLine halves[2];
 };
 
 // The search of one packet.
@@ -196,18 +198,25 @@ class Traversal {
                    (*top - originY_ - rules_.halfSide) * aspect_,
                    (*bottom - originY_ + rules_.halfSide) * aspect_};
         greatestDepth_ = *std::max_element(packet.depth.begin(), packet.depth.end());
-        for (int lane = 0; lane < kLanes; ++lane)
-            x_[lane] = packet.column[static_cast<std::size_t>(lane % kPacketSize)] - originX_;
-        for (int strip = 0; strip < kStrips; ++strip) {
-            const auto first = static_cast<std::size_t>(strip) * kLanes;
-            for (int lane = 0; lane < kLanes; ++lane)
-                y_.of[strip][lane] =
-                    placeY(packet.row[static_cast<std::size_t>(2 * strip + lane / kPacketSize)]);
-            depth_.of[strip] = loadLanes(&packet.depth[first]);
+        for (int half = 0; half < 2; ++half)
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const int first = half * kQuarterSize;
+                x_[half][lane] =
+                    placeX(packet.column[static_cast<std::size_t>(first + lane % kQuarterSize)]);
+                y_[half][lane] =
+                    placeY(packet.row[static_cast<std::size_t>(first + lane / kQuarterSize)]);
+            }
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const auto first = static_cast<std::size_t>(quarter) * kLanes;
+            depth_.of[quarter] = loadLanes(&packet.depth[first]);
             const Lanes known = roundedDown(loadLanes(&packet.known[first]), rules_.bits);
-            square_.of[strip] = known * known;
-            placeI_[strip] = LaneMask{} + SamplePlace::kNone;
-            placeJ_[strip] = placeI_[strip];
+            square_.of[quarter] = known * known;
+            placeI_[quarter] = LaneMask{} + SamplePlace::kNone;
+            placeJ_[quarter] = placeI_[quarter];
+            const Lanes& x = x_[quarter % 2];
+            const Lanes& y = y_[quarter / 2];
+            setQuarter(middleX_, quarter, 0.5f * (x[0] + x[kLanes - 1]));
+            setQuarter(middleY_, quarter, 0.5f * (y[0] + y[kLanes - 1]));
         }
         // What the window leaves is farther than it along one axis.
         const float nearest = rules_.window * std::min(1.0f, aspect_);
@@ -238,12 +247,12 @@ class Traversal {
     }
 
     void store(PacketSlopes& found) const {
-        for (int strip = 0; strip < kStrips; ++strip) {
-            const auto first = static_cast<std::size_t>(strip) * kLanes;
-            storeLanes(top_.of[strip], &found.slope[first]);
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const auto first = static_cast<std::size_t>(quarter) * kLanes;
+            storeLanes(top_.of[quarter], &found.slope[first]);
             for (int k = 0; k < kLanes; ++k)
-                found.place[first + static_cast<std::size_t>(k)] = {placeI_[strip][k],
-                                                                    placeJ_[strip][k]};
+                found.place[first + static_cast<std::size_t>(k)] = {placeI_[quarter][k],
+                                                                    placeJ_[quarter][k]};
         }
     }
 
@@ -255,6 +264,13 @@ class Traversal {
     static Lanes squaredGapsTo(float first, float last, Lanes positions, float halfSide) {
         const Lanes gaps = larger(larger(first - positions, positions - last) - halfSide, Lanes{});
         return gaps * gaps;
+    }
+    // As SectorSamples::counts.
+    static LaneMask aheadOf(float first, float last, Lanes positions, float sign, float halfSide) {
+        if (sign == 0.0f)
+            return LaneMask{} - 1;
+        return sign > 0.0f ? last - positions >= splat(-1.5f * halfSide)
+                           : positions - first >= splat(-1.5f * halfSide);
     }
     static float leastGapTo(float first, float last, float low, float high) {
         return std::max(std::max(first - high, low - last), 0.0f);
@@ -271,28 +287,33 @@ class Traversal {
     static Range rangeOf(int level, int node, int size) {
         return {node << level, std::min((node + 1) << level, size) - 1};
     }
-    [[nodiscard]] Columns columns(int level, int i, const TileCopy& copy) const {
+    [[nodiscard]] Span spanOf(float first, float last, float low, float high,
+                              const Lanes (&positions)[2], float halfSide, float sign) const {
+        return {first,
+                last,
+                leastGapTo(first, last, low, high),
+                {squaredGapsTo(first, last, positions[0], halfSide),
+                 squaredGapsTo(first, last, positions[1], halfSide)},
+                {aheadOf(first, last, positions[0], sign, halfSide),
+                 aheadOf(first, last, positions[1], sign, halfSide)}};
+    }
+    [[nodiscard]] Span columns(int level, int i, const TileCopy& copy) const {
         const int width = candidates_.width();
         const Range range = inCopy(rangeOf(level, i, width), width, copy.i, copy.flipsX);
-        const float first = placeX(static_cast<float>(range.first));
-        const float last = placeX(static_cast<float>(range.last));
-        return {first, last, leastGapTo(first, last, packet_.left, packet_.right),
-                squaredGapsTo(first, last, x_, rules_.halfSide)};
+        return spanOf(placeX(static_cast<float>(range.first)),
+                      placeX(static_cast<float>(range.last)), packet_.left, packet_.right, x_,
+                      rules_.halfSide, rules_.sector.signX);
     }
-    [[nodiscard]] Rows rows(int level, int j, const TileCopy& copy) const {
+    [[nodiscard]] Span rows(int level, int j, const TileCopy& copy) const {
         const int height = candidates_.height();
         const Range range = inCopy(rangeOf(level, j, height), height, copy.j, copy.flipsY);
-        const float first = placeY(static_cast<float>(range.first));
-        const float last = placeY(static_cast<float>(range.last));
-        Rows rows{first, last, leastGapTo(first, last, packet_.top, packet_.bottom), {}};
-        for (int strip = 0; strip < kStrips; ++strip)
-            rows.squaredGaps.of[strip] =
-                squaredGapsTo(first, last, y_.of[strip], rules_.halfSide * aspect_);
-        return rows;
+        return spanOf(placeY(static_cast<float>(range.first)),
+                      placeY(static_cast<float>(range.last)), packet_.top, packet_.bottom, y_,
+                      rules_.halfSide * aspect_, rules_.sector.signY);
     }
 
     // Whether all samples there are in the windows of all apexes.
-    [[nodiscard]] bool insideWindows(const Columns& x, const Rows& y) const {
+    [[nodiscard]] bool insideWindows(const Span& x, const Span& y) const {
         const float across = rules_.window + rules_.halfSide;
         const float down = across * aspect_;
         return x.first >= packet_.right - across && x.last <= packet_.left + across &&
@@ -300,63 +321,76 @@ class Traversal {
     }
 
     // Whether a chord to a sample there, none less deep than `least`, may be steeper than the slope
-    // of some apex of the strip.
-    [[nodiscard]] LaneMask mayRise(int strip, const Columns& x, const Rows& y, float least) const {
-        const Lanes square = larger(x.squaredGaps + y.squaredGaps.of[strip], splat(leastSquare_)) -
-                             rules_.correction;
-        const Lanes difference = larger(depth_.of[strip] - least, Lanes{});
-        return difference * difference > limit_.of[strip] * square;
+    // of some apex of the quarter.
+    [[nodiscard]] LaneMask mayRise(int quarter, const Span& x, const Span& y, float least) const {
+        const int column = quarter % 2;
+        const int row = quarter / 2;
+        const Lanes square =
+            larger(x.squaredGaps[column] + y.squaredGaps[row], splat(leastSquare_)) -
+            rules_.correction;
+        const Lanes difference = larger(depth_.of[quarter] - least, Lanes{});
+        return (difference * difference > limit_.of[quarter] * square) & x.isAhead[column] &
+               y.isAhead[row];
     }
 
     // Planes below the samples of children that are not beside the packet. With y relative to the
     // apex a, s its slope, P the plane and any vector w no longer than 1,
     //   (D(a) − D(y)) − s·|y| ≤ D(a) − P(y) − s·w·y,
-    // which is linear in y and so greatest at a corner. w points from the middle of the packet to
-    // that of the node.
+    // which is linear in y and so greatest at a corner. The greatest of the corners is a convex
+    // function of s: between the least and the greatest slope of a quarter it is under its chord.
+    // w points from the middle of a quarter to that of the node.
     [[nodiscard]] QuadPlanes planesOf(const ReliefQuad& quad, const QuadSpans& spans,
                                       Four squaredDistance, const TileCopy& copy) const {
         const auto first = [](const auto& span) { return span.first; };
         const auto length = [](const auto& span) { return span.last - span.first; };
-        const auto middle = [](const auto& span) { return span.first + span.last; };
-        const Four towardsX = spans.alongX(middle) - packet_.left - packet_.right;
-        const Four towardsY = spans.alongY(middle) - packet_.top - packet_.bottom;
-        const Four perLength =
-            (1.0f - kRounding) / squareRootsOf(towardsX * towardsX + towardsY * towardsY);
+        const auto middle = [](const auto& span) { return 0.5f * (span.first + span.last); };
+        const Lanes towardsX = forQuarters(spans.alongX(middle)) - middleX_;
+        const Lanes towardsY = forQuarters(spans.alongY(middle)) - middleY_;
         // √(|y|² − κ) is at least |y|·√(1 − q), q = κ over the least |y|², and so |y|·(1 − q/2 −
         // q²/2).
         const Four q = rules_.correction / squaredDistance;
-        const Four shortening = 1.0f - 0.5f * q * (1.0f + q);
+        const Four shortening = (1.0f - kRounding) * (1.0f - 0.5f * q * (1.0f + q));
+        const Lanes perLength =
+            forQuarters(shortening) / squareRoots(towardsX * towardsX + towardsY * towardsY);
         QuadPlanes planes;
-        planes.wx = towardsX * perLength * shortening;
-        planes.wy = towardsY * perLength * shortening;
-        planes.width = spans.alongX(length);
-        planes.height = spans.alongY(length);
+        planes.wx = towardsX * perLength;
+        planes.wy = towardsY * perLength;
+        // From the corner of the apex that is nearest, where it is a square.
+        const Lanes toFirst = planes.wx * forQuarters(spans.alongX(first)) +
+                              planes.wy * forQuarters(spans.alongY(first)) -
+                              rules_.halfSide * (larger(planes.wx, -planes.wx) +
+                                                 larger(planes.wy, -planes.wy) * aspect_);
+        const Four width = spans.alongX(length);
+        const Four height = spans.alongY(length);
         // In a mirrored copy the plane begins at its other end.
         const Four storedX = loadFour(quad.slopeX);
         const Four storedY = loadFour(quad.slopeY) / aspect_;
-        planes.slopeX = copy.flipsX ? -storedX : storedX;
-        planes.slopeY = copy.flipsY ? -storedY : storedY;
-        planes.base = loadFour(quad.base) + (copy.flipsX ? storedX * planes.width : Four{}) +
-                      (copy.flipsY ? storedY * planes.height : Four{});
-        // From the corner of the apex that is nearest, where it is a square.
-        const Four absoluteX = largerOf(planes.wx, -planes.wx);
-        const Four absoluteY = largerOf(planes.wy, -planes.wy);
-        planes.toFirst = planes.wx * spans.alongX(first) + planes.wy * spans.alongY(first) -
-                         rules_.halfSide * (absoluteX + absoluteY * aspect_);
+        const Lanes slopeX = forQuarters(copy.flipsX ? -storedX : storedX);
+        const Lanes slopeY = forQuarters(copy.flipsY ? -storedY : storedY);
+        const Lanes least = kPlaneRounding - forQuarters(loadFour(quad.base) +
+                                                         (copy.flipsX ? storedX * width : Four{}) +
+                                                         (copy.flipsY ? storedY * height : Four{}));
+        const Lanes across = forQuarters(width);
+        const Lanes down = forQuarters(height);
+        const auto greatest = [&](Lanes slope) {
+            return least - slope * toFirst +
+                   larger(-(slope * planes.wx + slopeX), Lanes{}) * across +
+                   larger(-(slope * planes.wy + slopeY), Lanes{}) * down;
+        };
+        const Lanes atLeast = greatest(leastTop_);
+        planes.growth = (greatest(greatestTop_) - atLeast) * perTopRange_;
+        planes.base = atLeast - planes.growth * leastTop_;
         return planes;
     }
 
     // Whether a chord to a sample of child k may be steeper than the slope of some apex of the
-    // strip, by its plane.
-    [[nodiscard]] LaneMask mayRiseToPlane(int strip, const QuadPlanes& planes, int k) const {
-        const float wx = planes.wx[k];
-        const float wy = planes.wy[k];
-        const Lanes top = top_.of[strip];
-        const Lanes along = planes.toFirst[k] - (x_ * wx + y_.of[strip] * wy);
-        const Lanes growthX = larger(-(top * wx + planes.slopeX[k]), Lanes{}) * planes.width[k];
-        const Lanes growthY = larger(-(top * wy + planes.slopeY[k]), Lanes{}) * planes.height[k];
-        return (depth_.of[strip] - planes.base[k]) + (growthX + growthY) + kPlaneRounding >
-               top * along;
+    // quarter, by its plane.
+    [[nodiscard]] LaneMask mayRiseToPlane(int quarter, const QuadPlanes& planes, int k) const {
+        const int lane = 4 * quarter + k;
+        const Lanes towards = x_[quarter % 2] * planes.wx[lane] + y_[quarter / 2] * planes.wy[lane];
+        return (towards + planes.growth[lane]) * top_.of[quarter] +
+                   (depth_.of[quarter] + planes.base[lane]) >
+               Lanes{};
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -378,8 +412,8 @@ class Traversal {
     void pushRoots() {
         const int level = candidates_.topLevel();
         for (std::size_t c = 0; c < copies_.size(); ++c) {
-            const Columns x = columns(level, 0, copies_[c]);
-            const Rows y = rows(level, 0, copies_[c]);
+            const Span x = columns(level, 0, copies_[c]);
+            const Span y = rows(level, 0, copies_[c]);
             const float distance = x.leastGap * x.leastGap + y.leastGap * y.leastGap;
             push({level, 0, 0, static_cast<int>(c), boundOf(distance, candidates_.leastDepth())},
                  0);
@@ -422,18 +456,25 @@ class Traversal {
     [[nodiscard]] bool mayHaveSteeper(const ReliefQuad& quad, const QuadSpans& spans,
                                       const QuadBounds& bounds, const QuadPlanes& planes, int level,
                                       int k) const {
-        const Columns& x = spans.x[k % 2];
-        const Rows& y = spans.y[k / 2];
+        const Span& x = spans.x[k % 2];
+        const Span& y = spans.y[k / 2];
         ++statistics_.nodes;
         // A node beside the packet is on more than one side of it: its plane says little.
         const float side = static_cast<float>(1 << level);
         const bool isBeside = bounds.squaredDistance[k] <= side * side;
-        LaneMask rises{};
-        for (int strip = 0; strip < kStrips; ++strip) {
-            const LaneMask some = mayRise(strip, x, y, quad.least[static_cast<std::size_t>(k)]);
-            rises |= isBeside ? some : some & mayRiseToPlane(strip, planes, k);
+        LaneMask rises[kQuarters];
+        LaneMask some{};
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            rises[quarter] = isBeside ? LaneMask{} - 1 : mayRiseToPlane(quarter, planes, k);
+            some |= rises[quarter];
         }
-        return anyLane(rises) && !insideWindows(x, y) && candidates_.reaches(x, y, packet_);
+        if (!anyLane(some))
+            return false;
+        some = LaneMask{};
+        for (int quarter = 0; quarter < kQuarters; ++quarter)
+            some |=
+                rises[quarter] & mayRise(quarter, x, y, quad.least[static_cast<std::size_t>(k)]);
+        return anyLane(some) && !insideWindows(x, y) && candidates_.reaches(x, y, packet_);
     }
 
     [[nodiscard]] SampleLine sampleLine(float place, Lanes positions, float halfSide,
@@ -442,15 +483,17 @@ class Traversal {
         const Lanes gaps = larger(larger(from, -from) - halfSide, Lanes{});
         return {from, gaps * gaps, gaps > splat(window)};
     }
-    [[nodiscard]] SampleLine sampleColumn(int i) const {
-        return sampleLine(placeX(static_cast<float>(i)), x_, rules_.halfSide, rules_.window);
+    [[nodiscard]] SampleLines sampleColumn(int i) const {
+        const float place = placeX(static_cast<float>(i));
+        return {{sampleLine(place, x_[0], rules_.halfSide, rules_.window),
+                 sampleLine(place, x_[1], rules_.halfSide, rules_.window)}};
     }
-    [[nodiscard]] SampleRow sampleRow(int j) const {
-        SampleRow row;
-        for (int strip = 0; strip < kStrips; ++strip)
-            row.strips[strip] = sampleLine(placeY(static_cast<float>(j)), y_.of[strip],
-                                           rules_.halfSide * aspect_, rules_.window * aspect_);
-        return row;
+    [[nodiscard]] SampleLines sampleRow(int j) const {
+        const float place = placeY(static_cast<float>(j));
+        const float halfHeight = rules_.halfSide * aspect_;
+        const float window = rules_.window * aspect_;
+        return {{sampleLine(place, y_[0], halfHeight, window),
+                 sampleLine(place, y_[1], halfHeight, window)}};
     }
 
     void tryChildren(const Node& node) {
@@ -465,8 +508,8 @@ class Traversal {
             i[k] = placed(2 * node.i + k, candidates_.width(), copy.i, copy.flipsX);
             j[k] = placed(2 * node.j + k, candidates_.height(), copy.j, copy.flipsY);
         }
-        const SampleLine x[2] = {sampleColumn(i[0]), sampleColumn(i[1])};
-        const SampleRow y[2] = {sampleRow(j[0]), sampleRow(j[1])};
+        const SampleLines x[2] = {sampleColumn(i[0]), sampleColumn(i[1])};
+        const SampleLines y[2] = {sampleRow(j[0]), sampleRow(j[1])};
         changed_ = false;
         for (int k = 0; k < 4; ++k)
             trySample(x[k % 2], y[k / 2], i[k % 2], j[k / 2], depths[static_cast<std::size_t>(k)]);
@@ -474,18 +517,19 @@ class Traversal {
             roundSlopes();
     }
 
-    void trySample(const SampleLine& x, const SampleRow& y, int i, int j, float depth) {
+    void trySample(const SampleLines& x, const SampleLines& y, int i, int j, float depth) {
         if (!(depth < greatestDepth_))
             return;
         ++statistics_.samples;
-        for (int strip = 0; strip < kStrips; ++strip)
-            trySample(strip, x, y.strips[strip], i, j, depth);
+        for (int quarter = 0; quarter < kQuarters; ++quarter)
+            trySample(quarter, x.halves[quarter % 2], y.halves[quarter / 2], i, j, depth);
     }
 
-    void trySample(int strip, const SampleLine& x, const SampleLine& y, int i, int j, float depth) {
+    void trySample(int quarter, const SampleLine& x, const SampleLine& y, int i, int j,
+                   float depth) {
         const Lanes square = x.squaredGaps + y.squaredGaps - rules_.correction;
-        const Lanes difference = depth_.of[strip] - depth;
-        Lanes& steepest = square_.of[strip];
+        const Lanes difference = depth_.of[quarter] - depth;
+        Lanes& steepest = square_.of[quarter];
         LaneMask steeper = (difference > Lanes{}) & (x.isOutside | y.isOutside) &
                            (difference * difference > steepest * square);
         if (!anyLane(steeper))
@@ -495,17 +539,21 @@ class Traversal {
             return;
         changed_ = true;
         steepest = steeper ? difference * difference / square : steepest;
-        placeI_[strip] = steeper ? LaneMask{} + i : placeI_[strip];
-        placeJ_[strip] = steeper ? LaneMask{} + j : placeJ_[strip];
+        placeI_[quarter] = steeper ? LaneMask{} + i : placeI_[quarter];
+        placeJ_[quarter] = steeper ? LaneMask{} + j : placeJ_[quarter];
     }
 
     void roundSlopes() {
         leastTopSquare_ = kUnbounded;
-        for (int strip = 0; strip < kStrips; ++strip) {
-            top_.of[strip] = roundedUp(squareRoots(square_.of[strip]), rules_.bits);
-            limit_.of[strip] = top_.of[strip] * top_.of[strip] * (1.0f - kRounding);
-            leastTopSquare_ = std::min(leastTopSquare_, smallestLane(limit_.of[strip]));
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            top_.of[quarter] = roundedUp(squareRoots(square_.of[quarter]), rules_.bits);
+            limit_.of[quarter] = top_.of[quarter] * top_.of[quarter] * (1.0f - kRounding);
+            leastTopSquare_ = std::min(leastTopSquare_, smallestLane(limit_.of[quarter]));
+            setQuarter(leastTop_, quarter, smallestLane(top_.of[quarter]));
+            setQuarter(greatestTop_, quarter, largestLane(top_.of[quarter]));
         }
+        const Lanes range = greatestTop_ - leastTop_;
+        perTopRange_ = range > Lanes{} ? 1.0f / range : Lanes{};
     }
 
     const SectorSamples& candidates_;
@@ -516,14 +564,20 @@ class Traversal {
     std::vector<Node>& stack_;
     SlopeSearchStatistics& statistics_;
 
-    Lanes x_{};  // the same in all strips
-    Strips y_{};
-    Strips depth_{};
-    Strips square_{};  // of the steepest slopes so far
-    Strips top_{};     // their roots, rounded up
-    Strips limit_{};   // the squares of these, less what rounding may take off a bound
-    LaneMask placeI_[kStrips]{};
-    LaneMask placeJ_[kStrips]{};
+    Lanes x_[2]{};  // of each half
+    Lanes y_[2]{};
+    // Of quarters, as in QuadPlanes.
+    Lanes middleX_{};
+    Lanes middleY_{};
+    Lanes leastTop_{};
+    Lanes greatestTop_{};
+    Lanes perTopRange_{};
+    Quarters depth_{};
+    Quarters square_{};  // of the steepest slopes so far
+    Quarters top_{};     // their roots, rounded up
+    Quarters limit_{};   // the squares of these, less what rounding may take off a bound
+    LaneMask placeI_[kQuarters]{};
+    LaneMask placeJ_[kQuarters]{};
     PacketBounds packet_{};
     float originX_ = 0.0f;  // of all places, in texels
     float originY_ = 0.0f;
