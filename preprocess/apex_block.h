@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "preprocess/lanes.h"
 #include "preprocess/slope_search.h"
 
 namespace relievo::preprocess {
@@ -17,6 +18,10 @@ using BlockValues = std::array<float, static_cast<std::size_t>(kBlockSize) * kBl
 constexpr std::size_t blockIndex(int i, int j) noexcept {
     return static_cast<std::size_t>(j) * kBlockSize + static_cast<std::size_t>(i);
 }
+
+/// Which groups of kLanes texels beside each other are wanted: that of a texel is number
+/// blockIndex / kLanes.
+using BlockGroups = std::array<bool, static_cast<std::size_t>(kBlockSize) * kBlockSize / kLanes>;
 
 /// A block of apexes at whole steps of a texel.
 struct ApexBlock {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -42,10 +42,11 @@ SlopeSearchRules farRules(double aspect) {
     return {.window = kCornerWindow, .correction = cornerCorrection(aspect), .bits = kFarBits};
 }
 
-// As the search rounds slopes.
-float roundedUp(float slope) {
-    constexpr std::uint32_t kRest = (1u << (23 - kFarBits)) - 1u;
-    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(slope) + kRest) & ~kRest);
+// What a chord must be steeper than to be rounded up to at least `slope`, a number as the search
+// rounds them: the one below it.
+float numberBelow(float slope) {
+    constexpr std::uint32_t kStep = 1u << (23 - kFarBits);
+    return slope > 0.0f ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(slope) - kStep) : 0.0f;
 }
 
 // What a thread works with.
@@ -72,9 +73,11 @@ float axisGap(float position, int first, int last, int size, textures::WrapMode 
 // Marks on a grid.
 struct MarkGrid {
     int width;
+    int height;
     std::vector<std::uint8_t> marks;
     MarkGrid(int columns, int rows, bool mark)
         : width(columns),
+          height(rows),
           marks(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), mark ? 1 : 0) {}
     [[nodiscard]] std::size_t index(int i, int j) const {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
@@ -83,12 +86,26 @@ struct MarkGrid {
     [[nodiscard]] bool at(int i, int j) const { return marks[index(i, j)] != 0; }
     void mark(int i, int j) { marks[index(i, j)] = 1; }
     void unmark(int i, int j) { marks[index(i, j)] = 0; }
-    [[nodiscard]] bool anyIn(const BlockPlace& place) const {
-        bool any = false;
-        forTexels(place, [&](int i, int j, std::size_t) { any = any || at(i, j); });
-        return any;
+    [[nodiscard]] const std::uint8_t* row(int j) const { return &marks[index(0, j)]; }
+    // Those in a block that have a mark.
+    [[nodiscard]] BlockGroups groupsIn(const BlockPlace& place) const {
+        const auto hasMark = [&](int i, int j, int count) {
+            return std::memchr(row(place.top + j) + place.left + i, 1,
+                               static_cast<std::size_t>(count)) != nullptr;
+        };
+        BlockGroups groups{};
+        for (int j = 0; j < place.height; ++j)
+            if (hasMark(0, j, place.width))
+                for (int i = 0; i < place.width; i += kLanes)
+                    groups[blockIndex(i, j) / kLanes] =
+                        hasMark(i, j, std::min(kLanes, place.width - i));
+        return groups;
     }
 };
+
+bool hasAny(const BlockGroups& groups) {
+    return std::ranges::find(groups, true) != groups.end();
+}
 
 }  // namespace
 
@@ -100,12 +117,14 @@ struct BilinearCones::Marks {
         : texels(width, height, mark), corners(width + 1, height + 1, mark) {}
 
     // Marks the texels whose squares have a marked corner.
-    void addSquares(int width, int height) {
-        for (int j = 0; j < height; ++j)
-            for (int i = 0; i < width; ++i)
-                if (corners.at(i, j) || corners.at(i + 1, j) || corners.at(i, j + 1) ||
-                    corners.at(i + 1, j + 1))
-                    texels.mark(i, j);
+    void addSquares() {
+        tbb::parallel_for(0, texels.height, [&](int j) {
+            const std::uint8_t* const above = corners.row(j);
+            const std::uint8_t* const below = corners.row(j + 1);
+            std::uint8_t* const here = &texels.marks[texels.index(0, j)];
+            for (int i = 0; i < texels.width; ++i)
+                here[i] = here[i] | above[i] | above[i + 1] | below[i] | below[i + 1];
+        });
     }
 };
 
@@ -133,19 +152,21 @@ BilinearCones::BilinearCones(DepthMap map, const std::function<void(std::size_t)
 void BilinearCones::build(Marks& marks, const std::function<void(std::size_t)>& advance) {
     findCoarse(marks);
     findCorners(marks);
-    marks.addSquares(map_.width(), map_.height());
+    marks.addSquares();
     refine(marks, advance);
 }
 
 void BilinearCones::findCoarse(const Marks& marks) {
     forAllBlocks(map_.width(), map_.height(), workers_->ofThreads,
                  [&](Worker& state, const BlockPlace& place) {
-                     if (!marks.texels.anyIn(place))
+                     const BlockGroups wanted = marks.texels.groupsIn(place);
+                     if (!hasAny(wanted))
                          return;
                      state.near.begin(map_, place.left, place.top);
-                     state.near.findCoarse(state.slopes);
+                     state.near.findCoarse(wanted, state.slopes);
                      forTexels(place, [&](int i, int j, std::size_t k) {
-                         coarse_.at(i, j) = state.slopes[k];
+                         if (marks.texels.at(i, j))
+                             coarse_.at(i, j) = state.slopes[k];
                      });
                  });
 }
@@ -164,19 +185,21 @@ float BilinearCones::knownAround(int i, int j) const {
 void BilinearCones::findCorners(Marks& marks) {
     forAllBlocks(corner_.width, corner_.height, workers_->ofThreads,
                  [&](Worker& state, const BlockPlace& place) {
-                     if (!marks.corners.anyIn(place))
+                     const BlockGroups wanted = marks.corners.groupsIn(place);
+                     if (!hasAny(wanted))
                          return;
                      state.near.begin(map_, place.left, place.top);
-                     state.near.findCornerDepths(state.apexes.depth);
+                     state.near.findCornerDepths(wanted, state.apexes.depth);
                      state.apexes.left = static_cast<float>(place.left) - 0.5f;
                      state.apexes.top = static_cast<float>(place.top) - 0.5f;
                      state.apexes.width = place.width;
                      state.apexes.height = place.height;
                      forTexels(place, [&](int i, int j, std::size_t k) {
                          state.apexes.known[k] = knownAround(i, j);
-                         cornerDepth_.at(i, j) = state.apexes.depth[k];
                          // Nothing rises from depth 0: no search where there is no need.
-                         if (!marks.corners.at(i, j))
+                         if (marks.corners.at(i, j))
+                             cornerDepth_.at(i, j) = state.apexes.depth[k];
+                         else
                              state.apexes.depth[k] = 0.0f;
                      });
                      findSlopes(state.search, state.apexes, state.slopes);
@@ -193,7 +216,8 @@ void BilinearCones::findCorners(Marks& marks) {
 void BilinearCones::refine(const Marks& marks, const std::function<void(std::size_t)>& advance) {
     forAllBlocks(map_.width(), map_.height(), workers_->ofThreads,
                  [&](Worker& state, const BlockPlace& place) {
-                     if (!marks.texels.anyIn(place))
+                     const BlockGroups wanted = marks.texels.groupsIn(place);
+                     if (!hasAny(wanted))
                          return;
                      state.near.begin(map_, place.left, place.top);
                      forTexels(place, [&](int i, int j, std::size_t k) {
@@ -201,8 +225,10 @@ void BilinearCones::refine(const Marks& marks, const std::function<void(std::siz
                              std::max({coarse_.at(i, j), corner_.at(i, j), corner_.at(i + 1, j),
                                        corner_.at(i, j + 1), corner_.at(i + 1, j + 1)});
                      });
-                     state.near.refine(state.slopes);
+                     state.near.refine(wanted, state.slopes);
                      forTexels(place, [&](int i, int j, std::size_t k) {
+                         if (!marks.texels.at(i, j))
+                             return;
                          const double known = state.slopes[k];
                          const double safe =
                              known > 0.0 ? known * (1.0 + kSlopeRounding) + kDepthRounding : 0.0;
@@ -225,7 +251,7 @@ void BilinearCones::markNear(const TexelRectangle& rectangle, Marks& marks) cons
             for (int i = 0; i < corner_.width; ++i)
                 if (isNear(i, rectangle.left, rectangle.width, map_.width()))
                     marks.corners.mark(i, j);
-    marks.addSquares(map_.width(), map_.height());
+    marks.addSquares();
 }
 
 // Marks the corners whose far slopes the samples of the rectangle may set, or may have set: those
@@ -237,19 +263,25 @@ void BilinearCones::markReached(const TexelRectangle& rectangle, float leastDept
     const auto aspect = static_cast<float>(map_.texelAspect);
     const float correction = cornerCorrection(map_.texelAspect);
     std::vector<float> across(static_cast<std::size_t>(corner_.width));
-    for (int i = 0; i < corner_.width; ++i)
-        across[static_cast<std::size_t>(i)] =
+    for (int i = 0; i < corner_.width; ++i) {
+        const float gap =
             axisGap(static_cast<float>(i) - 0.5f, rectangle.left, right, map_.width(), map_.wrap);
+        across[static_cast<std::size_t>(i)] = gap * gap;
+    }
     tbb::parallel_for(0, corner_.height, [&](int j) {
         const float gap =
             axisGap(static_cast<float>(j) - 0.5f, rectangle.top, bottom, map_.height(), map_.wrap);
-        for (int i = 0; i < corner_.width; ++i) {
-            const float column = across[static_cast<std::size_t>(i)];
-            const float square = column * column + gap * gap * aspect * aspect - correction;
-            const float difference = cornerDepth_.at(i, j) - leastDepth;
-            if (!marks.corners.at(i, j) && difference > 0.0f &&
-                roundedUp(difference / std::sqrt(square) * (1.0f + 2e-6f)) >= corner_.at(i, j))
-                marks.corners.mark(i, j);
+        const float down = gap * gap * aspect * aspect - correction;
+        const std::size_t first = corner_.index(0, j);
+        const float* const depths = &cornerDepth_.texels[first];
+        const float* const slopes = &corner_.texels[first];
+        std::uint8_t* const here = &marks.corners.marks[first];
+        for (std::size_t i = 0; i < across.size(); ++i) {
+            const float difference = (depths[i] - leastDepth) * (1.0f + 2e-6f);
+            const float slope = numberBelow(slopes[i]);
+            const bool mayChange = (difference > 0.0f) &
+                                   (difference * difference > slope * slope * (across[i] + down));
+            here[i] = here[i] | static_cast<std::uint8_t>(mayChange);
         }
     });
 }

@@ -100,16 +100,16 @@ void BilinearSlopes::begin(const textures::DepthMap& map, int left, int top) {
     measureCells(lattices_);
 }
 
-void BilinearSlopes::findCoarse(BlockValues& slopes) const {
-    RELIEVO_CALL_KERNEL(findCoarseSlopes, lattices_, slopes);
+void BilinearSlopes::findCoarse(const BlockGroups& wanted, BlockValues& slopes) const {
+    RELIEVO_CALL_KERNEL(findCoarseSlopes, lattices_, wanted, slopes);
 }
 
-void BilinearSlopes::refine(BlockValues& slopes) {
-    RELIEVO_CALL_KERNEL(refineSlopes, lattices_, slopes);
+void BilinearSlopes::refine(const BlockGroups& wanted, BlockValues& slopes) {
+    RELIEVO_CALL_KERNEL(refineSlopes, lattices_, wanted, slopes);
 }
 
-void BilinearSlopes::findCornerDepths(BlockValues& depths) const {
-    RELIEVO_CALL_KERNEL(findCornerDepths, lattices_, depths);
+void BilinearSlopes::findCornerDepths(const BlockGroups& wanted, BlockValues& depths) const {
+    RELIEVO_CALL_KERNEL(findCornerDepths, lattices_, wanted, depths);
 }
 
 }  // namespace relievo::preprocess

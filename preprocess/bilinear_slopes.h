@@ -42,15 +42,16 @@ class BilinearSlopes {
     /// Goes to the block of `map` (which must stay) whose first texel is (left,top).
     void begin(const textures::DepthMap& map, int left, int top);
 
-    /// For every texel: a bound on the chords to pieces at least 3 texels apart within kReach, and
-    /// at least the steepest gradient inside the square. Depth per texel width.
-    void findCoarse(BlockValues& slopes) const;
+    /// For every texel of the wanted groups: a bound on the chords to pieces at least 3 texels
+    /// apart within kReach, and at least the steepest gradient inside the square. Depth per texel
+    /// width.
+    void findCoarse(const BlockGroups& wanted, BlockValues& slopes) const;
     /// From slopes that are at least the coarse ones to a bound on all chords within kReach.
-    void refine(BlockValues& slopes);
+    void refine(const BlockGroups& wanted, BlockValues& slopes);
     /// For the corners of the squares, the one at (i−½, j−½) in the place of texel (i,j): the depth
     /// there of bilinear patches that are nowhere above the surface in the four squares around, so
     /// that a chord which starts in a square is no steeper than those from its corners.
-    void findCornerDepths(BlockValues& depths) const;
+    void findCornerDepths(const BlockGroups& wanted, BlockValues& depths) const;
 
     /// What the work is done on: the surface around the block and the chords to try there.
     struct Lattices {

@@ -127,22 +127,32 @@ inline Lanes cornerDepths(const Lattices& surface, int i, int j) {
     return depth;
 }
 
-[[gnu::flatten]] inline void findCoarseSlopes(const Lattices& surface, BlockValues& slopes) {
+// Calls use(i, j, index in BlockValues) for the first texels of the wanted groups.
+template <typename Use>
+void forGroups(const BlockGroups& wanted, const Use& use) {
     for (int j = 0; j < kBlockSize; ++j)
         for (int i = 0; i < kBlockSize; i += kLanes)
-            storeLanes(coarse(surface, i, j), &slopes[blockIndex(i, j)]);
+            if (const std::size_t index = blockIndex(i, j); wanted[index / kLanes])
+                use(i, j, index);
 }
 
-[[gnu::flatten]] inline void refineSlopes(Lattices& surface, BlockValues& slopes) {
-    for (int j = 0; j < kBlockSize; ++j)
-        for (int i = 0; i < kBlockSize; i += kLanes) {
-            float* const here = &slopes[blockIndex(i, j)];
-            storeLanes(refined(surface, i, j, loadLanes(here)), here);
-        }
+[[gnu::flatten]] inline void findCoarseSlopes(const Lattices& surface, const BlockGroups& wanted,
+                                              BlockValues& slopes) {
+    forGroups(wanted, [&](int i, int j, std::size_t index) {
+        storeLanes(coarse(surface, i, j), &slopes[index]);
+    });
 }
 
-[[gnu::flatten]] inline void findCornerDepths(const Lattices& surface, BlockValues& depths) {
-    for (int j = 0; j < kBlockSize; ++j)
-        for (int i = 0; i < kBlockSize; i += kLanes)
-            storeLanes(cornerDepths(surface, i, j), &depths[blockIndex(i, j)]);
+[[gnu::flatten]] inline void refineSlopes(Lattices& surface, const BlockGroups& wanted,
+                                          BlockValues& slopes) {
+    forGroups(wanted, [&](int i, int j, std::size_t index) {
+        storeLanes(refined(surface, i, j, loadLanes(&slopes[index])), &slopes[index]);
+    });
+}
+
+[[gnu::flatten]] inline void findCornerDepths(const Lattices& surface, const BlockGroups& wanted,
+                                              BlockValues& depths) {
+    forGroups(wanted, [&](int i, int j, std::size_t index) {
+        storeLanes(cornerDepths(surface, i, j), &depths[index]);
+    });
 }

@@ -117,12 +117,6 @@ inline Four loadFour(const std::array<float, 4>& from) {
 inline Four largerOf(Four a, Four b) {
     return a > b ? a : b;
 }
-inline Four squareRootsOf(Four values) {
-    for (int k = 0; k < 4; ++k)
-        values[k] = std::sqrt(values[k]);
-    return values;
-}
-
 // The columns and rows of the children.
 struct QuadSpans {
     Span x[2];
@@ -349,7 +343,8 @@ class Traversal {
         // √(|y|² − κ) is at least |y|·√(1 − q), q = κ over the least |y|², and so |y|·(1 − q/2 −
         // q²/2).
         const Four q = rules_.correction / squaredDistance;
-        const Four shortening = (1.0f - kRounding) * (1.0f - 0.5f * q * (1.0f + q));
+        const Four shortening =
+            largerOf((1.0f - kRounding) * (1.0f - 0.5f * q * (1.0f + q)), Four{});
         const Lanes perLength =
             forQuarters(shortening) / squareRoots(towardsX * towardsX + towardsY * towardsY);
         QuadPlanes planes;
