@@ -47,7 +47,8 @@ inline float smallestLane(Lanes lanes) {
     return -largestLane(-lanes);
 }
 
-// The compiler takes these two through memory where a register would do, and waits for it.
+// Left alone, the compiler takes these two through memory where a register would do, and the
+// processor waits for it.
 inline Lanes squareRoots(Lanes lanes) {
 #if defined(__AVX512DQ__)
     return _mm512_sqrt_ps(lanes);

@@ -105,7 +105,7 @@ class SectorSamples {
     const float halfHeight_;
 };
 
-// Four children of a node at once.
+// Values of the four children of a node.
 inline Four fourOf(float first, float second, float third, float fourth) {
     return Four{first, second, third, fourth};
 }
@@ -117,6 +117,7 @@ inline Four loadFour(const std::array<float, 4>& from) {
 inline Four largerOf(Four a, Four b) {
     return a > b ? a : b;
 }
+
 // The columns and rows of the children.
 struct QuadSpans {
     Span x[2];
@@ -148,10 +149,6 @@ struct QuadPlanes {
     Lanes growth;
 };
 
-// For each quarter the same.
-inline Lanes forQuarters(Four children) {
-    return fourTimes(children);
-}
 inline void setQuarter(Lanes& lanes, int quarter, float value) {
     for (int k = 0; k < 4; ++k)
         lanes[4 * quarter + k] = value;
@@ -338,21 +335,21 @@ class Traversal {
         const auto first = [](const auto& span) { return span.first; };
         const auto length = [](const auto& span) { return span.last - span.first; };
         const auto middle = [](const auto& span) { return 0.5f * (span.first + span.last); };
-        const Lanes towardsX = forQuarters(spans.alongX(middle)) - middleX_;
-        const Lanes towardsY = forQuarters(spans.alongY(middle)) - middleY_;
+        const Lanes towardsX = fourTimes(spans.alongX(middle)) - middleX_;
+        const Lanes towardsY = fourTimes(spans.alongY(middle)) - middleY_;
         // √(|y|² − κ) is at least |y|·√(1 − q), q = κ over the least |y|², and so |y|·(1 − q/2 −
         // q²/2).
         const Four q = rules_.correction / squaredDistance;
         const Four shortening =
             largerOf((1.0f - kRounding) * (1.0f - 0.5f * q * (1.0f + q)), Four{});
         const Lanes perLength =
-            forQuarters(shortening) / squareRoots(towardsX * towardsX + towardsY * towardsY);
+            fourTimes(shortening) / squareRoots(towardsX * towardsX + towardsY * towardsY);
         QuadPlanes planes;
         planes.wx = towardsX * perLength;
         planes.wy = towardsY * perLength;
         // From the corner of the apex that is nearest, where it is a square.
-        const Lanes toFirst = planes.wx * forQuarters(spans.alongX(first)) +
-                              planes.wy * forQuarters(spans.alongY(first)) -
+        const Lanes toFirst = planes.wx * fourTimes(spans.alongX(first)) +
+                              planes.wy * fourTimes(spans.alongY(first)) -
                               rules_.halfSide * (larger(planes.wx, -planes.wx) +
                                                  larger(planes.wy, -planes.wy) * aspect_);
         const Four width = spans.alongX(length);
@@ -360,13 +357,13 @@ class Traversal {
         // In a mirrored copy the plane begins at its other end.
         const Four storedX = loadFour(quad.slopeX);
         const Four storedY = loadFour(quad.slopeY) / aspect_;
-        const Lanes slopeX = forQuarters(copy.flipsX ? -storedX : storedX);
-        const Lanes slopeY = forQuarters(copy.flipsY ? -storedY : storedY);
-        const Lanes least = kPlaneRounding - forQuarters(loadFour(quad.base) +
-                                                         (copy.flipsX ? storedX * width : Four{}) +
-                                                         (copy.flipsY ? storedY * height : Four{}));
-        const Lanes across = forQuarters(width);
-        const Lanes down = forQuarters(height);
+        const Lanes slopeX = fourTimes(copy.flipsX ? -storedX : storedX);
+        const Lanes slopeY = fourTimes(copy.flipsY ? -storedY : storedY);
+        const Lanes least = kPlaneRounding - fourTimes(loadFour(quad.base) +
+                                                       (copy.flipsX ? storedX * width : Four{}) +
+                                                       (copy.flipsY ? storedY * height : Four{}));
+        const Lanes across = fourTimes(width);
+        const Lanes down = fourTimes(height);
         const auto greatest = [&](Lanes slope) {
             return least - slope * toFirst +
                    larger(-(slope * planes.wx + slopeX), Lanes{}) * across +
