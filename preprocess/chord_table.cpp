@@ -1,7 +1,6 @@
 #include "preprocess/chord_table.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -9,6 +8,10 @@
 namespace relievo::preprocess {
 
 namespace {
+
+// In a texel that is much higher than wide, or wider than high, the correction may be as long as a
+// chord: it then counts as all but vertical.
+constexpr double kShortest = 1e-24;
 
 ChordTable::SquaredLength lengthsOf(const ChordTable::Rules& rules, int subdivisions,
                                     double aspect) {
@@ -38,10 +41,8 @@ ChordTable::ChordTable(const SampleLattice& lattice, int apexReach, int sampleRe
             std::map<double, std::vector<std::ptrdiff_t>> rings;
             for (int y = -sampleReach; y <= sampleReach; ++y)
                 for (int x = -sampleReach; x <= sampleReach; ++x)
-                    if (const auto square = squaredLength({ax, ay}, {x, y})) {
-                        assert(*square > 0.0);
-                        rings[*square].push_back(lattice.stepTo(x, y));
-                    }
+                    if (const auto square = squaredLength({ax, ay}, {x, y}))
+                        rings[std::max(*square, kShortest)].push_back(lattice.stepTo(x, y));
             apexes_.push_back({lattice.stepTo(ax, ay), static_cast<int>(rings.size())});
             for (const auto& [square, samples] : rings) {
                 rings_.push_back({static_cast<float>(1.0 / std::sqrt(square)),

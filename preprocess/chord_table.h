@@ -31,8 +31,8 @@ class ChordTable {
         int x;
         int y;
     };
-    /// The square of the length, in texel widths, that a chord counts with; nothing where it does
-    /// not count.
+    /// The square of the length, in texel widths, that a chord counts with, next to 0 if it is not
+    /// above 0; nothing where it does not count.
     using SquaredLength = std::function<std::optional<double>(Point apex, Point sample)>;
     /// Chords that no such rules describe. Apexes and samples up to so many subdivisions from the
     /// texel's centre are asked for.

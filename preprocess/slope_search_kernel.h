@@ -12,6 +12,9 @@ constexpr float kRounding = 1e-6f;
 // slope and distance is no more than the depths, and that of slope and packet less still.
 constexpr float kPlaneRounding = 2e-6f;
 constexpr float kUnbounded = 1e30f;
+// In a texel that is much higher than wide, or wider than high, the correction may be as long as a
+// chord: its square then counts as this.
+constexpr float kShortest = 1e-24f;
 
 // A packet in quarters of four columns and rows: a value for every apex. Quarter q is the left or
 // right half of the packet (q % 2) and the upper or lower one (q / 2).
@@ -519,7 +522,8 @@ class Traversal {
 
     void trySample(int quarter, const SampleLine& x, const SampleLine& y, int i, int j,
                    float depth) {
-        const Lanes square = x.squaredGaps + y.squaredGaps - rules_.correction;
+        const Lanes square =
+            larger(x.squaredGaps + y.squaredGaps - rules_.correction, splat(kShortest));
         const Lanes difference = depth_.of[quarter] - depth;
         Lanes& steepest = square_.of[quarter];
         LaneMask steeper = (difference > Lanes{}) & (x.isOutside | y.isOutside) &

@@ -61,6 +61,19 @@ TEST_P(BilinearGuarantee, IsKeptInEveryWrapModeAndShape) {
         }
 }
 
+// The small MIP levels of long maps: their texels are many times as high as wide, or the other way
+// round.
+TEST_P(BilinearGuarantee, IsKeptWhereTexelsAreThin) {
+    for (const auto& [width, height] : {std::pair{16, 1}, {1, 16}, {9, 7}})
+        for (const double aspect : {0.05, 0.2, 5.0, 20.0}) {
+            DepthMap map = noiseMap(width, height, WrapMode::Repeat, 7);
+            map.texelAspect = aspect;
+            const Tightness result = GetParam().compared(map, GetParam().texelsOfAShape, 1);
+            EXPECT_EQ(result.tooWide, 0) << width << "x" << height << " " << aspect;
+            EXPECT_GT(result.built, 0.0) << width << "x" << height << " " << aspect;
+        }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, BilinearGuarantee,
     testing::Values(SurfaceCones{"Conservative", safeCones<buildConservativeCones>,

@@ -63,6 +63,19 @@ TEST(RoofCones, AreSafeWhereTexelsAreNotSquare) {
         }
 }
 
+// The small MIP levels of long maps have texels that are many times as high as wide, or the other
+// way round.
+TEST(RoofCones, AreSafeWhereTexelsAreThin) {
+    for (const auto& [width, height] : {std::pair{16, 1}, {1, 16}, {12, 8}})
+        for (const double aspect : {0.05, 0.2, 5.0, 20.0})
+            for (const int sectors : {1, 4, 8}) {
+                DepthMap map = noiseMap(width, height, WrapMode::Repeat, 5);
+                map.texelAspect = aspect;
+                EXPECT_EQ(violations(map, {.sectors = sectors}), 0u)
+                    << width << "x" << height << " " << aspect << " " << sectors;
+            }
+}
+
 TEST(RoofCones, AreSafeOnEverySample) {
     for (const textures::SampleRelief& sample : textures::sampleReliefs())
         for (const int sectors : {1, 4, 8}) {
