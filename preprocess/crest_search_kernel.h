@@ -7,10 +7,7 @@
 // under the slopes by more than these could have taken off.
 constexpr float kCrestRounding = 1e-6f;
 
-// Apexes of a quarter of a packet (packet_search.h), in texels along reflected axes.
-constexpr int kQuarters = 4;
-constexpr int kQuarterSize = kPacketSize / 2;
-static_assert(kQuarterSize * kQuarterSize == kLanes);
+// Apexes of a quarter of a packet, in texels along reflected axes.
 struct CrestQuarter {
     Lanes x;
     Lanes y;

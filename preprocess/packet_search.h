@@ -11,9 +11,9 @@ namespace relievo::preprocess {
 
 /// Index of the apex in a column and row of a packet: quarter by quarter, each row by row.
 constexpr std::size_t packetIndex(int column, int row) noexcept {
-    constexpr int kSize = kPacketSize / 2;
-    const int quarter = column / kSize + 2 * (row / kSize);
-    return static_cast<std::size_t>((quarter * kSize + row % kSize) * kSize + column % kSize);
+    const int quarter = column / kQuarterSize + 2 * (row / kQuarterSize);
+    return static_cast<std::size_t>((quarter * kQuarterSize + row % kQuarterSize) * kQuarterSize +
+                                    column % kQuarterSize);
 }
 
 /// Searches width × height apexes of a block packet by packet, row by row of them:

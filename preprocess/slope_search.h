@@ -89,6 +89,11 @@ struct SamplePlace {
 /// nodes.
 inline constexpr int kPacketSize = 8;
 inline constexpr std::size_t kPacketApexes = static_cast<std::size_t>(kPacketSize) * kPacketSize;
+/// A packet is worked on in quarters of sixteen apexes: quarter q is in its left or right half
+/// (q % 2) and in the upper or lower one (q / 2).
+inline constexpr int kQuarters = 4;
+inline constexpr int kQuarterSize = kPacketSize / 2;
+static_assert(kQuarterSize * kQuarterSize == kLanes);
 
 /// Neighbouring apexes: columns and rows in texels (fractions allowed), and in the order of
 /// packetIndex (packet_search.h) their depths and the slopes up to which nothing is of interest.

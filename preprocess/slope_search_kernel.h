@@ -16,11 +16,7 @@ constexpr float kUnbounded = 1e30f;
 // chord: its square then counts as this.
 constexpr float kShortest = 1e-24f;
 
-// A packet in quarters of four columns and rows: a value for every apex. Quarter q is the left or
-// right half of the packet (q % 2) and the upper or lower one (q / 2).
-constexpr int kQuarters = 4;
-constexpr int kQuarterSize = kPacketSize / 2;
-static_assert(kQuarterSize * kQuarterSize == kLanes);
+// A value for every apex of a packet.
 struct Quarters {
     Lanes of[kQuarters];
 };
@@ -60,7 +56,7 @@ class SectorSamples {
         return tree_.texels[tree_.index(1, i, j)];
     }
 
-    // Whether a sample counts, by its place as seen from the apexes.
+    // As ChordSector::counts: whether a sample counts, by its place as seen from the apexes.
     [[nodiscard]] LaneMask counts(Lanes fromX, Lanes fromY) const {
         LaneMask inside = LaneMask{} - 1;
         const Lanes alongX = fromX * sector_.signX;
@@ -78,19 +74,14 @@ class SectorSamples {
         return inside;
     }
 
-    // Whether some sample of a node may count, for the packet as a whole.
-    [[nodiscard]] bool reaches(const Span& x, const Span& y, const PacketBounds& packet) const {
-        const float farX = ahead(x, packet.left, packet.right, sector_.signX);
-        const float farY = ahead(y, packet.top, packet.bottom, sector_.signY);
-        if ((sector_.signX != 0.0f && farX < -0.5f * halfSide_) ||
-            (sector_.signY != 0.0f && farY < -0.5f * halfHeight_))
-            return false;
+    // Whether some sample of a node may be in the half of a quadrant, for the packet as a whole.
+    [[nodiscard]] bool reachesHalf(const Span& x, const Span& y, const PacketBounds& packet) const {
         if (sector_.half == ChordSector::Half::Shallow)
             return aheadAtLeast(y, packet.top, packet.bottom, sector_.signY) <=
-                   farX + sector_.slack;
+                   ahead(x, packet.left, packet.right, sector_.signX) + sector_.slack;
         if (sector_.half == ChordSector::Half::Steep)
             return aheadAtLeast(x, packet.left, packet.right, sector_.signX) <=
-                   farY + sector_.slack;
+                   ahead(y, packet.top, packet.bottom, sector_.signY) + sector_.slack;
         return true;
     }
 
@@ -469,7 +460,7 @@ class Traversal {
         for (int quarter = 0; quarter < kQuarters; ++quarter)
             some |=
                 rises[quarter] & mayRise(quarter, x, y, quad.least[static_cast<std::size_t>(k)]);
-        return anyLane(some) && !insideWindows(x, y) && candidates_.reaches(x, y, packet_);
+        return anyLane(some) && !insideWindows(x, y) && candidates_.reachesHalf(x, y, packet_);
     }
 
     [[nodiscard]] SampleLine sampleLine(float place, Lanes positions, float halfSide,
