@@ -21,38 +21,71 @@ struct PieceLanes {
 struct PairLanes {
     PieceLanes from;
     PieceLanes to;
-    Lanes stepX;  // cells from the one to the other
+    LaneMask cellsX;  // cells from the one to the other
+    LaneMask cellsY;
+    LaneMask fromCell;  // the place of its first corner in Surroundings::depths
+    LaneMask texel;
+    Lanes stepX;
     Lanes stepY;
-    const float* fromCell[kLanes];
 };
 
-// One side of the pairs, transposed; lanes beyond `count` repeat the last pair.
-inline PieceLanes loadPieces(std::span<const Pair> pairs, Piece Pair::*end, const float* depths) {
-    alignas(64) float values[7][kLanes];
-    for (std::size_t k = 0; k < kLanes; ++k) {
-        const Piece& piece = pairs[std::min(k, pairs.size() - 1)].*end;
-        const float* const cell = depths + piece.cell;
-        values[0][k] = piece.u;
-        values[1][k] = piece.v;
-        values[2][k] = piece.side;
-        values[3][k] = cell[0];
-        values[4][k] = cell[1];
-        values[5][k] = cell[Surroundings::kSide];
-        values[6][k] = cell[Surroundings::kSide + 1];
-    }
-    const auto lanes = [&](int k) { return loadLanes(values[k]); };
-    return {lanes(0), lanes(1), lanes(2), {lanes(3), lanes(4), lanes(5), lanes(6)}};
+// Four words of each of sixteen pairs, transposed.
+struct PairWords {
+    LaneMask word[4];
+};
+inline PairWords loadPairWords(const Pair* pairs) {
+    static_assert(sizeof(Pair) == 4 * sizeof(std::int32_t));
+    LaneMask four[4];  // pairs, one after the other
+    std::memcpy(four, pairs, sizeof(four));
+    const auto both = [](LaneMask a, LaneMask b, int word) {
+        return __builtin_shuffle(
+            a, b, LaneMask{0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28} + word);
+    };
+    const auto transposed = [&](int word) {
+        return __builtin_shuffle(both(four[0], four[1], word), both(four[2], four[3], word),
+                                 LaneMask{0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23});
+    };
+    return {{transposed(0), transposed(1), transposed(2), transposed(3)}};
 }
 
-inline PairLanes loadPairs(std::span<const Pair> pairs, const float* depths) {
-    PairLanes result{
-        loadPieces(pairs, &Pair::from, depths), loadPieces(pairs, &Pair::to, depths), {}, {}, {}};
-    for (std::size_t k = 0; k < kLanes; ++k) {
-        const Pair& pair = pairs[std::min(k, pairs.size() - 1)];
-        result.stepX[k] = pair.stepX;
-        result.stepY[k] = pair.stepY;
-        result.fromCell[k] = depths + pair.from.cell;
-    }
+inline void loadCells(const float* depths, LaneMask place, Lanes cell[4]) {
+    cell[0] = gatherLanes(depths, place);
+    cell[1] = gatherLanes(depths + 1, place);
+    cell[2] = gatherLanes(depths + Surroundings::kSide, place);
+    cell[3] = gatherLanes(depths + Surroundings::kSide + 1, place);
+}
+
+// From parts of texels.
+inline Lanes toTexels(LaneMask parts) {
+    return __builtin_convertvector(parts, Lanes) * (1.0f / NearCrests::kParts);
+}
+
+inline PairLanes loadPairs(const Pair* pairs, const float* depths) {
+    const PairWords words = loadPairWords(pairs);
+    const auto low = [&](int k) { return words.word[k] & 0xffff; };
+    const auto high = [&](int k) { return words.word[k] >> 16; };
+    constexpr int kWhole = ~(NearCrests::kParts - 1);
+    const auto pieceAt = [&](LaneMask x, LaneMask y, LaneMask side, LaneMask place) {
+        PieceLanes piece{toTexels(x & ~kWhole), toTexels(y & ~kWhole), toTexels(side), {}};
+        loadCells(depths, place, piece.cell);
+        return piece;
+    };
+    const LaneMask fromX = low(0);
+    const LaneMask fromY = high(0);
+    const LaneMask toX = high(1);
+    const LaneMask toY = low(2);
+    const auto place = [](LaneMask x, LaneMask y) {
+        return y / NearCrests::kParts * Surroundings::kSide + x / NearCrests::kParts;
+    };
+    PairLanes result;
+    result.fromCell = place(fromX, fromY);
+    result.from = pieceAt(fromX, fromY, low(1), result.fromCell);
+    result.to = pieceAt(toX, toY, high(2), place(toX, toY));
+    result.cellsX = toX / NearCrests::kParts - fromX / NearCrests::kParts;
+    result.cellsY = toY / NearCrests::kParts - fromY / NearCrests::kParts;
+    result.stepX = __builtin_convertvector(result.cellsX, Lanes);
+    result.stepY = __builtin_convertvector(result.cellsY, Lanes);
+    result.texel = words.word[3];
     return result;
 }
 
@@ -101,7 +134,9 @@ inline CornerSlopes cornerSlopes(const PairLanes& pair, float aspect) {
     const Lanes dx = pair.stepX + pair.to.u - pair.from.u;
     const Lanes dy = pair.stepY + pair.to.v - pair.from.v;
     CornerSlopes result{{}, {}, {}, splat(-kUnbounded)};
+#pragma GCC unroll 4
     for (int l = 0; l < 4; ++l)
+#pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const Lanes x = dx + (l % 2 != 0 ? pair.to.side : Lanes{}) -
                             (k % 2 != 0 ? pair.from.side : Lanes{});
@@ -126,6 +161,7 @@ inline CornerSlopes cornerSlopes(const PairLanes& pair, float aspect) {
 // The greatest (a·e)² (near_crests.h) for a among the slopes down in `path` and b in `end`.
 inline Lanes steepestTowards(const GradientBox& path, const GradientBox& end) {
     Lanes steepest{};
+#pragma GCC unroll 4
     for (int l = 0; l < 4; ++l) {
         const Lanes bx = end.x[l % 2];
         const Lanes by = end.y[l / 2];
@@ -150,7 +186,7 @@ inline Lanes clampToCell(Lanes place) {
 
 // The bound by gradients, squared, where the cells of both pieces touch: chords stay in the
 // rectangle around them, which has parts in up to four cells.
-inline Lanes boundByGradients(const PairLanes& pair, float aspect) {
+inline Lanes boundByGradients(const PairLanes& pair, const float* depths, float aspect) {
     const Lanes toX = pair.stepX + pair.to.u;
     const Lanes toY = pair.stepY + pair.to.v;
     const Lanes left = smaller(pair.from.u, toX);
@@ -166,22 +202,17 @@ inline Lanes boundByGradients(const PairLanes& pair, float aspect) {
         pair.to.cell, pair.to.u, pair.to.v, pair.to.u + pair.to.side, pair.to.v + pair.to.side));
     Lanes steepest{};
     for (int n = 0; n < 4; ++n) {
-        const Lanes x = n % 2 != 0 ? pair.stepX : Lanes{};
-        const Lanes y = n / 2 != 0 ? pair.stepY : Lanes{};
-        if ((n % 2 != 0 && !anyLane(pair.stepX != Lanes{})) ||
-            (n / 2 != 0 && !anyLane(pair.stepY != Lanes{})))
+        const bool isAcross = n % 2 != 0;
+        const bool isDown = n / 2 != 0;
+        if ((isAcross && !anyLane(pair.cellsX != LaneMask{})) ||
+            (isDown && !anyLane(pair.cellsY != LaneMask{})))
             continue;
-        alignas(64) float depth[4][kLanes];
-        for (int k = 0; k < kLanes; ++k) {
-            const float* const cell = pair.fromCell[k] + static_cast<int>(x[k]) +
-                                      static_cast<int>(y[k]) * Surroundings::kSide;
-            depth[0][k] = cell[0];
-            depth[1][k] = cell[1];
-            depth[2][k] = cell[Surroundings::kSide];
-            depth[3][k] = cell[Surroundings::kSide + 1];
-        }
-        const Lanes cell[4] = {loadLanes(depth[0]), loadLanes(depth[1]), loadLanes(depth[2]),
-                               loadLanes(depth[3])};
+        const Lanes x = isAcross ? pair.stepX : Lanes{};
+        const Lanes y = isDown ? pair.stepY : Lanes{};
+        const LaneMask place = pair.fromCell + (isAcross ? pair.cellsX : LaneMask{}) +
+                               (isDown ? pair.cellsY * Surroundings::kSide : LaneMask{});
+        Lanes cell[4];
+        loadCells(depths, place, cell);
         const GradientBox path =
             toMetric(gradientBox(cell, clampToCell(left - x), clampToCell(top - y),
                                  clampToCell(right - x), clampToCell(bottom - y)));
@@ -197,12 +228,13 @@ struct PairSlopes {
 };
 
 // `known`: bounds need not be less than this.
-inline PairSlopes pairSlopes(const PairLanes& pair, float aspect, Lanes known) {
+inline PairSlopes pairSlopes(const PairLanes& pair, const float* depths, float aspect,
+                             Lanes known) {
     const CornerSlopes corners = cornerSlopes(pair, aspect);
     Lanes bound = corners.growth > Lanes{} ? smaller(corners.chords, corners.tangents) : Lanes{};
     const LaneMask touch = (squareOf(pair.stepX) <= splat(1.0f)) &
                            (squareOf(pair.stepY) <= splat(1.0f)) & (bound > known);
     if (anyLane(touch))
-        bound = touch ? smaller(bound, boundByGradients(pair, aspect)) : bound;
+        bound = touch ? smaller(bound, boundByGradients(pair, depths, aspect)) : bound;
     return {bound, corners.attained};
 }

@@ -56,7 +56,7 @@ class CrestSearch {
     static constexpr int kTiles = 4;
     /// Cells that begin up to so many texels after a texel's centre, or end so many before it, are
     /// left out along both axes: near_crests.h.
-    static constexpr int kReach = 3;
+    static constexpr int kReach = 2;
 
     /// `depths`: withBorder(map). All must outlive the search.
     CrestSearch(const textures::DepthMap& map, const textures::Plane& depths, const CrestTree& tree,
@@ -93,6 +93,7 @@ class CrestSearch {
     };
     struct Node {
         int level;
+        unsigned quarters;  ///< of the packet that it counts for, a bit for each
         Place place;
         float bound;  ///< no chord into it is steeper, squared, for the packet as a whole
     };

@@ -7,6 +7,8 @@
 // under the slopes by more than these could have taken off.
 constexpr float kCrestRounding = 1e-6f;
 
+constexpr unsigned kAllQuarters = (1U << kQuarters) - 1;
+
 // Apexes of a quarter of a packet, in texels along reflected axes.
 struct CrestQuarter {
     Lanes x;
@@ -48,8 +50,8 @@ struct TexelLeaves {
 
     // The depth grows after the texel by the gradient of the cell there, which is another one on
     // each side of it; where that vanishes, by the twist of the cell.
-    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
-                                         float y) const {
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x, float y,
+                                         Lanes) const {
         const float* const here = depths.texels.data() + depths.index(i + 1, j + 1);
         const int row = depths.width;
         const Lanes dx = x - apexes.x;
@@ -96,8 +98,8 @@ struct CellLeaves {
         return std::min(std::min(first[0], first[1]), std::min(below[0], below[1]));
     }
 
-    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
-                                         float y) const {
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x, float y,
+                                         Lanes limit) const {
         const float* const first = depths.texels.data() + depths.index(i, j);
         const float* const below = first + depths.width;
         const float depth[4] = {first[0], first[1], below[0], below[1]};
@@ -107,14 +109,30 @@ struct CellLeaves {
         const LaneMask comesOut = pair.growth > Lanes{};
         if (!anyLane(comesOut))
             return Lanes{};
-        Lanes steepestChord{};
-        Lanes steepestTangent{};
+        Lanes squares[3][3];
+        LaneMask isChordSteeper{};
+        LaneMask isTangentSteeper{};
+#pragma GCC unroll 3
         for (int b = 0; b < 3; ++b)
+#pragma GCC unroll 3
             for (int a = 0; a < 3; ++a) {
                 const Lanes square = across.at[a] * across.at[a] +
                                      down.at[b] * down.at[b] * (aspect * aspect) -
                                      correction(aspect);
-                const Lanes perSquare = 1.0f / larger(square, splat(1.0f / kUnbounded));
+                squares[b][a] = larger(square, splat(1.0f / kUnbounded));
+                const Lanes least = limit * squares[b][a];
+                isChordSteeper |= pair.chords[b][a] * pair.chords[b][a] > least;
+                isTangentSteeper |= pair.tangents[b][a] * pair.tangents[b][a] > least;
+            }
+        if (!anyLane(comesOut & isChordSteeper & isTangentSteeper))
+            return Lanes{};
+        Lanes steepestChord{};
+        Lanes steepestTangent{};
+#pragma GCC unroll 3
+        for (int b = 0; b < 3; ++b)
+#pragma GCC unroll 3
+            for (int a = 0; a < 3; ++a) {
+                const Lanes perSquare = 1.0f / squares[b][a];
                 const Lanes chord = pair.chords[b][a];
                 const Lanes tangent = pair.tangents[b][a];
                 steepestChord = larger(steepestChord, chord * chord * perSquare);
@@ -338,7 +356,7 @@ class CrestTraversal {
 
     void pushTop(const Place& place) {
         const int level = tree_.topLevel();
-        pushNode(level, place, columns(level, 0, place), rows(level, 0, place), 0);
+        pushNode(level, place, columns(level, 0, place), rows(level, 0, place), kAllQuarters, 0);
     }
 
     void search() {
@@ -348,14 +366,15 @@ class CrestTraversal {
             if (node.bound <= leastLimit_)
                 continue;
             if (node.level == 1)
-                tryChildren(node.place);
+                tryChildren(node);
             else
                 pushChildren(node);
         }
     }
 
+    // `quarters`: those of the packet that the node counts for, a bit for each.
     void pushNode(int level, const Place& place, const CrestSpan& x, const CrestSpan& y,
-                  std::size_t first) {
+                  unsigned quarters, std::size_t first) {
         const CrestTree::Node& node = tree_.node(level, place.i, place.j);
         const DirectionRange range = directions(x, y);
         const float growth = mostGrowth(node.gradients, range);
@@ -368,11 +387,13 @@ class CrestTraversal {
         if (bound <= leastLimit_)
             return;
         ++statistics_.nodes;
-        LaneMask counts{};
+        unsigned counts = 0;
         for (int quarter = 0; quarter < kQuarters; ++quarter)
-            counts |= mayCount(quarter, x, y, least, node.gradients);
-        if (anyLane(counts))
-            push({level, place, bound}, first);
+            if ((quarters >> quarter & 1U) != 0 &&
+                anyLane(mayCount(quarter, x, y, least, node.gradients)))
+                counts |= 1U << quarter;
+        if (counts != 0)
+            push({level, counts, place, bound}, first);
     }
 
     // Calls visit(place, x, y) for the four parts of a node, those at `level`.
@@ -394,28 +415,30 @@ class CrestTraversal {
         const std::size_t first = stack_.size();
         forEachPart(parent.place, level, tree_.columnsAt(level), tree_.rowsAt(level),
                     [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
-                        pushNode(level, place, x, y, first);
+                        pushNode(level, place, x, y, parent.quarters, first);
                     });
     }
 
-    void tryChildren(const Place& parent) {
-        forEachPart(parent, 0, tree_.columns, tree_.rows,
+    void tryChildren(const Node& parent) {
+        forEachPart(parent.place, 0, tree_.columns, tree_.rows,
                     [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
-                        tryLeaf(place, x, y);
+                        tryLeaf(place, x, y, parent.quarters);
                     });
         roundSlopes();
     }
 
     void trySeed(const Place& place) {
-        tryLeaf(place, columns(0, place.i, place), rows(0, place.j, place));
+        tryLeaf(place, columns(0, place.i, place), rows(0, place.j, place), kAllQuarters);
     }
 
-    void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y) {
+    void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y, unsigned quarters) {
         const float least = leaves_.least(place.i, place.j);
         if (boundOf(x, y, least) <= leastLimit_)
             return;
         const GradientBox gradients = leaves_.gradients(place.i, place.j);
         for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            if ((quarters >> quarter & 1U) == 0)
+                continue;
             const LaneMask open =
                 mayCount(quarter, x, y, least, gradients) & ~isLeftOut(quarter, x, y);
             if (anyLane(open))
@@ -438,8 +461,8 @@ class CrestTraversal {
     void tryLeaf(int quarter, const Place& place, LaneMask open, const CrestSpan& x,
                  const CrestSpan& y) {
         ++statistics_.samples;
-        const Lanes found =
-            leaves_.steepest(apexes_.quarters[quarter], place.i, place.j, x.first, y.first);
+        const Lanes found = leaves_.steepest(apexes_.quarters[quarter], place.i, place.j, x.first,
+                                             y.first, square_[quarter] * (1.0f - kCrestRounding));
         const LaneMask steeper = open & (found > square_[quarter]);
         if (!anyLane(steeper))
             return;

@@ -69,6 +69,18 @@ inline Lanes fourTimes(Four four) {
 #endif
 }
 
+// from[index] for each lane.
+inline Lanes gatherLanes(const float* from, LaneMask index) {
+#if defined(__AVX512DQ__)
+    return _mm512_i32gather_ps(reinterpret_cast<__m512i>(index), from, sizeof(float));
+#else
+    Lanes lanes;
+    for (int k = 0; k < kLanes; ++k)
+        lanes[k] = from[index[k]];
+    return lanes;
+#endif
+}
+
 // Rounded up to floats with `bits` < 23 significant bits after the first: the least such number
 // that is not below. For lanes ≥ 0.
 inline Lanes roundedUp(Lanes lanes, int bits) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "preprocess/lanes.h"
@@ -13,11 +11,9 @@ namespace relievo::preprocess {
 namespace {
 
 constexpr int kReach = CrestSearch::kReach;
-constexpr int kCells = 2 * kReach + 2;  // in a row
 
 // Bounds within this of what a chord attains are accepted.
-constexpr float kAccepted = 1.08f;
-constexpr float kLeastSide = 0.125f;
+constexpr float kAccepted = 1.12f;
 constexpr int kMostPairs = 512;
 
 }  // namespace

@@ -41,19 +41,20 @@ class NearCrests {
     /// Pairs bounded so far: the work.
     [[nodiscard]] std::uint64_t pairs() const noexcept { return pairs_; }
 
-    /// A square part of a bilinear cell.
+    /// Texels are divided into so many parts along an axis.
+    static constexpr int kParts = 8;
+    /// A square part of a bilinear cell. Lengths in parts of a texel; places from the first texel
+    /// of the surroundings.
     struct Piece {
-        int cell;  ///< the place of the cell's first corner in Surroundings::depths
-        float u;   ///< the piece's first corner, in the cell
-        float v;
-        float side;
+        std::uint16_t x;
+        std::uint16_t y;
+        std::uint16_t side;  ///< a power of 2, at most kParts
     };
+    /// Sixteen bytes: sixteen pairs are four registers.
     struct Pair {
         Piece from;
         Piece to;
-        float stepX;  ///< cells from the one to the other
-        float stepY;
-        int texel;  ///< of those that are searched together
+        std::uint32_t texel;  ///< of those that are searched together
     };
     /// Pairs that wait.
     struct OpenPairs {

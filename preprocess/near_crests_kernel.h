@@ -4,6 +4,7 @@
 #include "preprocess/crest_pairs_kernel.h"
 
 using OpenPairs = NearCrests::OpenPairs;
+constexpr int kParts = NearCrests::kParts;
 
 [[gnu::flatten]] inline void findSquareDepths(const Surroundings& surface,
                                               std::array<BlockValues, 4>& depth) {
@@ -56,7 +57,9 @@ inline Lanes attainedBetween(const Squares& squares, const CellLanes& cell, int 
     const Lanes growthX[2] = {cell.depth[1] - cell.depth[0], cell.depth[3] - cell.depth[2]};
     const Lanes growthY[2] = {cell.depth[2] - cell.depth[0], cell.depth[3] - cell.depth[1]};
     Lanes steepest{};
+#pragma GCC unroll 4
     for (int l = 0; l < 4; ++l)
+#pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const int a = 1 + l % 2 - k % 2;
             const int b = 1 + l / 2 - k / 2;
@@ -145,7 +148,9 @@ inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y) {
     Lanes growth = splat(-kUnbounded);
     Lanes chords{};
     Lanes tangents{};
+#pragma GCC unroll 4
     for (int l = 0; l < 4; ++l)
+#pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const float dx =
                 static_cast<float>(x + l % 2) - 0.5f * static_cast<float>(column - 1 + k % 2);
@@ -177,7 +182,8 @@ class NearCrestSearch {
     NearCrestSearch(const Surroundings& surface, const float* texel, float aspect, Lanes known,
                     OpenPairs& open)
         : depths_(surface.depths.data()),
-          texel_(static_cast<int>(texel - depths_)),
+          left_(static_cast<int>(texel - depths_) % Surroundings::kSide),
+          top_(static_cast<int>(texel - depths_) / Surroundings::kSide),
           aspect_(aspect),
           open_(open) {
         storeLanes(known, attained_);
@@ -213,17 +219,20 @@ class NearCrestSearch {
     void open(LaneMask lanes, int quarter, int x, int y) {
         if (!anyLane(lanes))
             return;
-        const int ownX = quarter % 2 - 1;
-        const int ownY = quarter / 2 - 1;
-        const auto place = [](int own) { return own < 0 ? 0.5f : 0.0f; };
-        const auto cellAt = [&](int i, int j) { return texel_ + j * Surroundings::kSide + i; };
+        const int fromX = left_ * kParts + (quarter % 2 - 1) * (kParts / 2);
+        const int fromY = top_ * kParts + (quarter / 2 - 1) * (kParts / 2);
+        const int toX = (left_ + x) * kParts;
+        const int toY = (top_ + y) * kParts;
         for (int k = 0; k < kLanes; ++k)
             if (lanes[k] != 0)
-                open_.pairs.push_back({{cellAt(ownX, ownY) + k, place(ownX), place(ownY), 0.5f},
-                                       {cellAt(x, y) + k, 0.0f, 0.0f, 1.0f},
-                                       static_cast<float>(x - ownX),
-                                       static_cast<float>(y - ownY),
-                                       k});
+                open_.pairs.push_back({pieceAt(fromX + k * kParts, fromY, kParts / 2),
+                                       pieceAt(toX + k * kParts, toY, kParts),
+                                       static_cast<std::uint32_t>(k)});
+    }
+    // In parts of texels.
+    static Piece pieceAt(int x, int y, int side) {
+        return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                static_cast<std::uint16_t>(side)};
     }
     void openQuarters(LaneMask lanes, int x, int y) {
         for (int quarter = 0; quarter < 4; ++quarter)
@@ -235,23 +244,24 @@ class NearCrestSearch {
     }
 
     void boundPairs() {
-        const std::span<const Pair> pairs = open_.pairs;
-        open_.bounds.resize(pairs.size() + kLanes);
-        for (std::size_t first = 0; first < pairs.size(); first += kLanes) {
-            const std::size_t count = std::min<std::size_t>(kLanes, pairs.size() - first);
-            const std::span<const Pair> some = pairs.subspan(first, count);
-            alignas(64) float known[kLanes];
-            for (std::size_t k = 0; k < kLanes; ++k)
-                known[k] = accepted_[some[std::min(k, count - 1)].texel];
+        std::vector<Pair>& pairs = open_.pairs;
+        const std::size_t count = pairs.size();
+        pairs.resize(count + kLanes - 1, pairs.back());  // for the last registers
+        open_.bounds.resize(pairs.size());
+        for (std::size_t first = 0; first < count; first += kLanes) {
+            const PairLanes some = loadPairs(&pairs[first], depths_);
             const PairSlopes slopes =
-                pairSlopes(loadPairs(some, depths_), aspect_, loadLanes(known));
+                pairSlopes(some, depths_, aspect_, gatherLanes(accepted_, some.texel));
             storeLanes(slopes.bound, &open_.bounds[first]);
-            for (std::size_t k = 0; k < count; ++k) {
-                float& attained = attained_[some[k].texel];
-                attained = std::max(attained, slopes.attained[static_cast<int>(k)]);
+            alignas(64) float attained[kLanes];
+            storeLanes(slopes.attained, attained);
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                float& most = attained_[pairs[first + k].texel];
+                most = std::max(most, attained[k]);
             }
         }
-        pairs_ += pairs.size();
+        pairs.resize(count);
+        pairs_ += count;
     }
 
     // Bounds that are nearly attained, or of pieces that are small enough, are taken as they are;
@@ -261,18 +271,18 @@ class NearCrestSearch {
         const auto isGoodEnough = [&](std::size_t k) {
             const Pair& pair = open_.pairs[k];
             return open_.bounds[k] <= attained_[pair.texel] * (kAccepted * kAccepted) ||
-                   std::max(pair.from.side, pair.to.side) <= kLeastSide;
+                   std::max(pair.from.side, pair.to.side) == 1;
         };
         for (std::size_t k = 0; k < open_.pairs.size(); ++k) {
-            const int texel = open_.pairs[k].texel;
+            const std::uint32_t texel = open_.pairs[k].texel;
             if (isGoodEnough(k))
                 accepted_[texel] = std::max(accepted_[texel], open_.bounds[k]);
             else
-                ++left[static_cast<std::size_t>(texel)];
+                ++left[texel];
         }
         for (std::size_t k = 0; k < open_.pairs.size(); ++k) {
-            const int texel = open_.pairs[k].texel;
-            if (left[static_cast<std::size_t>(texel)] > kMostPairs)
+            const std::uint32_t texel = open_.pairs[k].texel;
+            if (left[texel] > kMostPairs)
                 accepted_[texel] = std::max(accepted_[texel], open_.bounds[k]);
         }
     }
@@ -287,20 +297,22 @@ class NearCrestSearch {
         std::swap(open_.pairs, open_.halves);
     }
 
+    // The larger piece in quarters.
     void halve(const Pair& pair) {
         Piece Pair::*const larger = pair.to.side >= pair.from.side ? &Pair::to : &Pair::from;
+        const Piece whole = pair.*larger;
+        const int side = whole.side / 2;
         for (int quarter = 0; quarter < 4; ++quarter) {
             Pair half = pair;
-            Piece& piece = half.*larger;
-            piece.side *= 0.5f;
-            piece.u += quarter % 2 != 0 ? piece.side : 0.0f;
-            piece.v += quarter / 2 != 0 ? piece.side : 0.0f;
+            half.*larger =
+                pieceAt(whole.x + quarter % 2 * side, whole.y + quarter / 2 * side, side);
             open_.halves.push_back(half);
         }
     }
 
     const float* depths_;
-    int texel_;
+    int left_;  // of the first texel in the surroundings
+    int top_;
     float aspect_;
     OpenPairs& open_;
     alignas(64) float attained_[kLanes];  // by a chord

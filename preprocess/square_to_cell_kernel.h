@@ -33,7 +33,9 @@ SquareToCell squareToCell(const Lanes* corners, const CornerSteps<Length>& acros
     const Depth growthX[2] = {depth[1] - depth[0], depth[3] - depth[2]};
     const Depth growthY[2] = {depth[2] - depth[0], depth[3] - depth[1]};
     SquareToCell result;
+#pragma GCC unroll 4
     for (int l = 0; l < 4; ++l)
+#pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const int a = 1 + l % 2 - k % 2;
             const int b = 1 + l / 2 - k / 2;
