@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "preprocess/cone_encoding.h"
@@ -15,6 +14,7 @@
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
 #include "preprocess/roof_cones.h"
+#include "preprocess/step_progress.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -67,15 +67,11 @@ std::string buildRoofs(const MapRequest& request, MapSet& maps) {
     const int sectors = request.plan.sectors;
     const RoofConeRules rules{.sectors = sectors};
     // The layers together are the work that the caller knows as the texels of one map.
-    std::atomic<std::size_t> cells{0};
-    const auto advance = [&](std::size_t more) {
-        const auto layers = static_cast<std::size_t>(sectors);
-        const std::size_t before = cells.fetch_add(more);
-        if (request.advance)
-            request.advance((before + more) / layers - before / layers);
-    };
+    const std::size_t texels = request.relief.depth.texels.size();
+    StepProgress progress(request.advance, texels, texels * static_cast<std::size_t>(sectors));
     SlopeSearchStatistics work;
-    std::vector<RoofConeLayer> layers = buildRoofCones(request.relief, rules, advance, &work);
+    std::vector<RoofConeLayer> layers = buildRoofCones(
+        request.relief, rules, [&](std::size_t cells) { progress.done(cells); }, &work);
     for (int layer = 0; layer < sectors; ++layer) {
         RoofConeLayer& cones = layers[static_cast<std::size_t>(layer)];
         maps.channels.push_back({layerName("roof", layer, sectors), std::move(cones.roof)});

@@ -13,6 +13,7 @@
 
 #include "preprocess/distance_transform.h"
 #include "preprocess/round_down.h"
+#include "preprocess/step_progress.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -86,13 +87,12 @@ Plane buildConesToTexels(const textures::DepthMap& map, std::span<const std::uin
     const float unlimited = std::numeric_limits<float>::infinity();
     const std::vector<float> least = leastDepths(markedDepths(map.depth, marked), levels);
     Plane ratio(map.width(), map.height(), unlimited);
-    const std::size_t texels = ratio.texels.size();
+    StepProgress progress(advance, ratio.texels.size(), least.size());
     Scratch scratch;
     for (std::size_t k = 0; k < least.size(); ++k) {
         narrowByClass(map, marked, least[k], k + 1 < least.size() ? least[k + 1] : unlimited,
                       scratch, ratio);
-        if (advance)
-            advance(texels * (k + 1) / least.size() - texels * k / least.size());
+        progress.done();
     }
     return ratio;
 }

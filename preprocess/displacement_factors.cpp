@@ -16,6 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using textures::Plane;
 using Table = std::vector<Plane>;
+using Advance = std::function<void(std::size_t)>;
 
 // Views that differ in the azimuth alone are one column of the table.
 std::size_t columnsOf(const ViewGrid& grid) {
@@ -28,7 +29,7 @@ Eigen::Map<const Eigen::VectorXf> texelsOf(const Plane& plane) {
 
 // The products of the table's columns with each other. Sums are in one order, whatever the threads
 // do.
-MatrixXd productsOfColumns(const Table& table, const ViewGrid& grid) {
+MatrixXd productsOfColumns(const Table& table, const ViewGrid& grid, const Advance& advance) {
     const auto azimuths = static_cast<std::size_t>(grid.azimuths);
     const std::size_t columns = columnsOf(grid);
     MatrixXd products = MatrixXd::Zero(static_cast<Index>(columns), static_cast<Index>(columns));
@@ -39,13 +40,15 @@ MatrixXd productsOfColumns(const Table& table, const ViewGrid& grid) {
                     texelsOf(table[a * azimuths + azimuth])
                         .cast<double>()
                         .dot(texelsOf(table[b * azimuths + azimuth]).cast<double>());
+        advance(a + 1);
     });
     return products;  // its lower half is all that the solver reads
 }
 
 // The best directions in the space of columns, orthonormal, the best first.
-MatrixXd bestDirections(const Table& table, const ViewGrid& grid, Index count) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(productsOfColumns(table, grid));
+MatrixXd bestDirections(const Table& table, const ViewGrid& grid, Index count,
+                        const Advance& advance) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(productsOfColumns(table, grid, advance));
     const MatrixXd& ascending = solver.eigenvectors();
     return ascending.rightCols(std::min(count, ascending.cols())).rowwise().reverse();
 }
@@ -136,14 +139,23 @@ std::size_t missesPlane(const ViewGrid& grid, int azimuth, int curvature) {
                                     azimuth);
 }
 
+std::size_t factorSteps(const ViewGrid& grid, int terms) {
+    const std::size_t columns = columnsOf(grid);
+    return columns * (columns + 1) / 2 +
+           columns * std::min(columns, static_cast<std::size_t>(terms));
+}
+
 DisplacementFactors factorDisplacement(std::vector<Plane>& table, const ViewGrid& grid, int terms,
-                                       textures::StorageFormat format) {
+                                       textures::StorageFormat format, const Advance& advance) {
     assert(terms >= 1 && table.size() == grid.views());
+    const Advance tell = advance ? advance : [](std::size_t) {};
     DisplacementFactors result;
     result.misses = separateMisses(table, grid);
-    const MatrixXd directions = bestDirections(table, grid, terms);
-    for (Index k = 0; k < directions.cols(); ++k)
+    const MatrixXd directions = bestDirections(table, grid, terms, tell);
+    for (Index k = 0; k < directions.cols(); ++k) {
         addTerm(table, grid, directions.col(k), format, result);
+        tell(columnsOf(grid));
+    }
     const std::size_t planes =
         static_cast<std::size_t>(terms) * static_cast<std::size_t>(grid.azimuths);
     result.factors.resize(planes, Plane(table.front().width, table.front().height));

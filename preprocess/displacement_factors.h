@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "preprocess/view_grid.h"
@@ -37,8 +38,13 @@ std::size_t missesPlane(const ViewGrid& grid, int azimuth, int curvature);
 /// column for each elevation and curvature: no other sum of as many products is nearer in squares
 /// (Eckart and Young 1936). They come from the products of columns with each other, so the time is
 /// O(size of the table · (terms + elevations·curvatures)). Scratch memory: some rows of texels.
+/// `advance` is called from any thread with numbers that add up to factorSteps().
 DisplacementFactors factorDisplacement(std::vector<textures::Plane>& table, const ViewGrid& grid,
-                                       int terms, textures::StorageFormat format);
+                                       int terms, textures::StorageFormat format,
+                                       const std::function<void(std::size_t)>& advance = {});
+
+/// The work of factorDisplacement: columns of the table that are gone through.
+std::size_t factorSteps(const ViewGrid& grid, int terms);
 
 /// The distance of a view that hits at `texel`, from the factors.
 double displacementOf(const DisplacementFactors& factors, const ViewGrid& grid, std::size_t view,

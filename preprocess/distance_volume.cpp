@@ -12,6 +12,7 @@
 
 #include "preprocess/dilation_erosion.h"
 #include "preprocess/round_down.h"
+#include "preprocess/step_progress.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -172,18 +173,14 @@ std::vector<Plane> buildDistanceVolume(const DepthMap& map, int slices, double d
     const Plane least = leastAround(map);
     std::vector<double> squared(map.depth.texels.size());
     std::vector<Plane> volume;
+    StepProgress progress(advance, squared.size(), static_cast<std::size_t>(slices));
     for (int k = 0; k < slices; ++k) {
         // Mirrored and clamped tiles need no copies: their nearest column is the tile's own.
         const Slice slice{static_cast<double>(k + 1) / slices, depthScale * map.width(),
                           map.texelAspect, map.wrap == WrapMode::Repeat};
         measureRows(least, slice, squared);
         measureColumns(squared, slice, volume.emplace_back(map.width(), map.height()));
-        const auto texelsUpTo = [&](int done) {
-            return squared.size() * static_cast<std::size_t>(done) /
-                   static_cast<std::size_t>(slices);
-        };
-        if (advance)
-            advance(texelsUpTo(k + 1) - texelsUpTo(k));
+        progress.done();
     }
     return volume;
 }

@@ -16,6 +16,7 @@
 #include "preprocess/distance_volume.h"
 #include "preprocess/horizon_map.h"
 #include "preprocess/normals.h"
+#include "preprocess/step_progress.h"
 #include "preprocess/tolerant_radii.h"
 #include "preprocess/view_displacement.h"
 #include "preprocess/visibility_ellipses.h"
@@ -87,14 +88,19 @@ std::vector<std::string> displacementChannels(const ReliefPlan& plan) {
     return names;
 }
 
+// Packing a table takes about this share of the time of its building and packing.
+constexpr std::size_t kPackingShare = 4;
+
 // The table itself while it is packed.
 double displacementBytes(const ReliefPlan& plan) {
     return plan.terms == 0 ? 0.0 : sizeof(float) * static_cast<double>(plan.views.views());
 }
 
 std::string packDisplacements(std::vector<textures::Plane> table, const ReliefPlan& plan,
-                              MapSet& maps) {
-    DisplacementFactors factors = factorDisplacement(table, plan.views, plan.terms, plan.format);
+                              StepProgress& progress, MapSet& maps) {
+    DisplacementFactors factors =
+        factorDisplacement(table, plan.views, plan.terms, plan.format,
+                           [&](std::size_t columns) { progress.done(columns); });
     const DisplacementError error = measureFactors(table, plan.views, factors);
     std::vector<std::string> weights;
     for (const std::vector<float>& term : factors.weights)
@@ -114,10 +120,17 @@ std::string buildDisplacements(const MapRequest& request, MapSet& maps) {
         fmt::format("{} {} {}", views.azimuths, views.elevations, views.curvatures);
     maps.attributes["relievo:vdm-range"] = fmt::format("{}", views.sharpest);
     maps.attributes["relievo:vdm-scale"] = fmt::format("{}", views.depthScale);
-    std::vector<textures::Plane> table =
-        buildViewDisplacement(request.relief, views, request.advance);
-    if (request.plan.terms > 0)
-        return packDisplacements(std::move(table), request.plan, maps);
+    const bool isPacked = request.plan.terms > 0;
+    const std::size_t texels = request.relief.depth.texels.size();
+    const std::size_t packingTexels = isPacked ? texels / kPackingShare : 0;
+    StepProgress building(request.advance, texels - packingTexels, texels);
+    std::vector<textures::Plane> table = buildViewDisplacement(
+        request.relief, views, [&](std::size_t done) { building.done(done); });
+    if (isPacked) {
+        StepProgress packing(request.advance, packingTexels,
+                             factorSteps(views, request.plan.terms));
+        return packDisplacements(std::move(table), request.plan, packing, maps);
+    }
     addNumbered("vdm", std::move(table), maps);
     return fmt::format("{} views at depth scale {}", views.views(), views.depthScale);
 }
@@ -127,14 +140,12 @@ std::vector<std::string> horizonChannels(const ReliefPlan& plan) {
 }
 
 std::vector<textures::Plane> buildAllHorizons(const MapRequest& request) {
-    const std::size_t texels = request.relief.depth.texels.size();
-    const auto count = static_cast<std::size_t>(request.plan.azimuths);
+    StepProgress progress(request.advance, request.relief.depth.texels.size(),
+                          static_cast<std::size_t>(request.plan.azimuths));
     std::vector<textures::Plane> horizons;
     for (int k = 0; k < request.plan.azimuths; ++k) {
         horizons.push_back(buildHorizon(request.relief, azimuthOf(k, request.plan.azimuths)));
-        const std::size_t done = horizons.size();
-        if (request.advance)
-            request.advance(texels * done / count - texels * (done - 1) / count);
+        progress.done();
     }
     return horizons;
 }
