@@ -93,7 +93,6 @@ class CrestSearch {
     };
     struct Node {
         int level;
-        unsigned quarters;  ///< of the packet that it counts for, a bit for each
         Place place;
         float bound;  ///< no chord into it is steeper, squared, for the packet as a whole
     };

@@ -7,8 +7,6 @@
 // under the slopes by more than these could have taken off.
 constexpr float kCrestRounding = 1e-6f;
 
-constexpr unsigned kAllQuarters = (1U << kQuarters) - 1;
-
 // Apexes of a quarter of a packet, in texels along reflected axes.
 struct CrestQuarter {
     Lanes x;
@@ -50,8 +48,8 @@ struct TexelLeaves {
 
     // The depth grows after the texel by the gradient of the cell there, which is another one on
     // each side of it; where that vanishes, by the twist of the cell.
-    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x, float y,
-                                         Lanes) const {
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
+                                         float y) const {
         const float* const here = depths.texels.data() + depths.index(i + 1, j + 1);
         const int row = depths.width;
         const Lanes dx = x - apexes.x;
@@ -98,8 +96,8 @@ struct CellLeaves {
         return std::min(std::min(first[0], first[1]), std::min(below[0], below[1]));
     }
 
-    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x, float y,
-                                         Lanes limit) const {
+    [[nodiscard]] SquaredSlopes steepest(const CrestQuarter& apexes, int i, int j, float x,
+                                         float y) const {
         const float* const first = depths.texels.data() + depths.index(i, j);
         const float* const below = first + depths.width;
         const float depth[4] = {first[0], first[1], below[0], below[1]};
@@ -109,9 +107,8 @@ struct CellLeaves {
         const LaneMask comesOut = pair.growth > Lanes{};
         if (!anyLane(comesOut))
             return Lanes{};
-        Lanes squares[3][3];
-        LaneMask isChordSteeper{};
-        LaneMask isTangentSteeper{};
+        Lanes steepestChord{};
+        Lanes steepestTangent{};
 #pragma GCC unroll 3
         for (int b = 0; b < 3; ++b)
 #pragma GCC unroll 3
@@ -119,20 +116,7 @@ struct CellLeaves {
                 const Lanes square = across.at[a] * across.at[a] +
                                      down.at[b] * down.at[b] * (aspect * aspect) -
                                      correction(aspect);
-                squares[b][a] = larger(square, splat(1.0f / kUnbounded));
-                const Lanes least = limit * squares[b][a];
-                isChordSteeper |= pair.chords[b][a] * pair.chords[b][a] > least;
-                isTangentSteeper |= pair.tangents[b][a] * pair.tangents[b][a] > least;
-            }
-        if (!anyLane(comesOut & isChordSteeper & isTangentSteeper))
-            return Lanes{};
-        Lanes steepestChord{};
-        Lanes steepestTangent{};
-#pragma GCC unroll 3
-        for (int b = 0; b < 3; ++b)
-#pragma GCC unroll 3
-            for (int a = 0; a < 3; ++a) {
-                const Lanes perSquare = 1.0f / squares[b][a];
+                const Lanes perSquare = 1.0f / larger(square, splat(1.0f / kUnbounded));
                 const Lanes chord = pair.chords[b][a];
                 const Lanes tangent = pair.tangents[b][a];
                 steepestChord = larger(steepestChord, chord * chord * perSquare);
@@ -356,7 +340,7 @@ class CrestTraversal {
 
     void pushTop(const Place& place) {
         const int level = tree_.topLevel();
-        pushNode(level, place, columns(level, 0, place), rows(level, 0, place), kAllQuarters, 0);
+        pushNode(level, place, columns(level, 0, place), rows(level, 0, place), 0);
     }
 
     void search() {
@@ -366,15 +350,14 @@ class CrestTraversal {
             if (node.bound <= leastLimit_)
                 continue;
             if (node.level == 1)
-                tryChildren(node);
+                tryChildren(node.place);
             else
                 pushChildren(node);
         }
     }
 
-    // `quarters`: those of the packet that the node counts for, a bit for each.
     void pushNode(int level, const Place& place, const CrestSpan& x, const CrestSpan& y,
-                  unsigned quarters, std::size_t first) {
+                  std::size_t first) {
         const CrestTree::Node& node = tree_.node(level, place.i, place.j);
         const DirectionRange range = directions(x, y);
         const float growth = mostGrowth(node.gradients, range);
@@ -387,13 +370,11 @@ class CrestTraversal {
         if (bound <= leastLimit_)
             return;
         ++statistics_.nodes;
-        unsigned counts = 0;
+        LaneMask counts{};
         for (int quarter = 0; quarter < kQuarters; ++quarter)
-            if ((quarters >> quarter & 1U) != 0 &&
-                anyLane(mayCount(quarter, x, y, least, node.gradients)))
-                counts |= 1U << quarter;
-        if (counts != 0)
-            push({level, counts, place, bound}, first);
+            counts |= mayCount(quarter, x, y, least, node.gradients);
+        if (anyLane(counts))
+            push({level, place, bound}, first);
     }
 
     // Calls visit(place, x, y) for the four parts of a node, those at `level`.
@@ -415,30 +396,28 @@ class CrestTraversal {
         const std::size_t first = stack_.size();
         forEachPart(parent.place, level, tree_.columnsAt(level), tree_.rowsAt(level),
                     [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
-                        pushNode(level, place, x, y, parent.quarters, first);
+                        pushNode(level, place, x, y, first);
                     });
     }
 
-    void tryChildren(const Node& parent) {
-        forEachPart(parent.place, 0, tree_.columns, tree_.rows,
+    void tryChildren(const Place& parent) {
+        forEachPart(parent, 0, tree_.columns, tree_.rows,
                     [&](const Place& place, const CrestSpan& x, const CrestSpan& y) {
-                        tryLeaf(place, x, y, parent.quarters);
+                        tryLeaf(place, x, y);
                     });
         roundSlopes();
     }
 
     void trySeed(const Place& place) {
-        tryLeaf(place, columns(0, place.i, place), rows(0, place.j, place), kAllQuarters);
+        tryLeaf(place, columns(0, place.i, place), rows(0, place.j, place));
     }
 
-    void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y, unsigned quarters) {
+    void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y) {
         const float least = leaves_.least(place.i, place.j);
         if (boundOf(x, y, least) <= leastLimit_)
             return;
         const GradientBox gradients = leaves_.gradients(place.i, place.j);
         for (int quarter = 0; quarter < kQuarters; ++quarter) {
-            if ((quarters >> quarter & 1U) == 0)
-                continue;
             const LaneMask open =
                 mayCount(quarter, x, y, least, gradients) & ~isLeftOut(quarter, x, y);
             if (anyLane(open))
@@ -461,8 +440,8 @@ class CrestTraversal {
     void tryLeaf(int quarter, const Place& place, LaneMask open, const CrestSpan& x,
                  const CrestSpan& y) {
         ++statistics_.samples;
-        const Lanes found = leaves_.steepest(apexes_.quarters[quarter], place.i, place.j, x.first,
-                                             y.first, square_[quarter] * (1.0f - kCrestRounding));
+        const Lanes found =
+            leaves_.steepest(apexes_.quarters[quarter], place.i, place.j, x.first, y.first);
         const LaneMask steeper = open & (found > square_[quarter]);
         if (!anyLane(steeper))
             return;

@@ -19,7 +19,12 @@ constexpr double kLeastElevation = 0.01 * kPi / 180.0;
 struct Candidate {
     std::int64_t i = 0;
     std::int64_t j = 0;
-    double ratio = std::numeric_limits<double>::infinity();  // texels per unit of depth
+    double squaredDistance = 0.0;
+    double squaredRise = 0.0;  // 0: no higher than the place
+
+    [[nodiscard]] bool isSteeperThan(const Candidate& other) const {
+        return squaredRise * other.squaredDistance > other.squaredRise * squaredDistance;
+    }
 };
 
 // What drawing a target needs; the place is in texels, relative to texel centres.
@@ -28,13 +33,11 @@ struct Surroundings {
     glm::dvec2 place;
     double depth;
 
-    [[nodiscard]] double distance(std::int64_t i, std::int64_t j) const {
-        return std::hypot(static_cast<double>(i) - place.x,
-                          map.texelAspect * (static_cast<double>(j) - place.y));
-    }
     [[nodiscard]] Candidate candidate(std::int64_t i, std::int64_t j) const {
-        const double rise = depth - static_cast<double>(map.at(i, j));
-        return rise > 0.0 ? Candidate{i, j, distance(i, j) / rise} : Candidate{i, j};
+        const double across = static_cast<double>(i) - place.x;
+        const double down = map.texelAspect * (static_cast<double>(j) - place.y);
+        const double rise = std::max(depth - static_cast<double>(map.at(i, j)), 0.0);
+        return {i, j, across * across + down * down, rise * rise};
     }
 };
 
@@ -51,7 +54,7 @@ Candidate climb(const Surroundings& around, RayNumbers& numbers) {
         const Candidate from = best;
         for (std::int64_t j = from.j - 1; j <= from.j + 1; ++j)
             for (std::int64_t i = from.i - 1; i <= from.i + 1; ++i)
-                if (const Candidate other = around.candidate(i, j); other.ratio < best.ratio)
+                if (const Candidate other = around.candidate(i, j); other.isSteeperThan(best))
                     best = other;
         if (best.i == from.i && best.j == from.j)
             break;
@@ -61,10 +64,10 @@ Candidate climb(const Surroundings& around, RayNumbers& numbers) {
 
 std::optional<Heading> headingToTarget(const Surroundings& around, RayNumbers& numbers) {
     Candidate best = climb(around, numbers);
-    if (const Candidate other = climb(around, numbers); other.ratio < best.ratio)
+    if (const Candidate other = climb(around, numbers); other.isSteeperThan(best))
         best = other;
-    const double distance = around.distance(best.i, best.j);
-    if (!std::isfinite(best.ratio) || distance == 0.0)
+    const double distance = std::sqrt(best.squaredDistance);
+    if (best.squaredRise == 0.0 || distance == 0.0)
         return std::nullopt;
     const glm::dvec2 texels = glm::dvec2(best.i, best.j) - around.place;
     const glm::dvec2 size(around.map.width(), around.map.height());

@@ -14,6 +14,8 @@ enum class WrapMode { Repeat, Mirror, Clamp };
 /// texels.
 constexpr int wrapIndex(std::int64_t index, int size, WrapMode mode) noexcept {
     const std::int64_t n = size;
+    if (index >= 0 && index < n)  // nearly always, and a division is slow
+        return static_cast<int>(index);
     switch (mode) {
         case WrapMode::Repeat: {
             const std::int64_t r = index % n;
