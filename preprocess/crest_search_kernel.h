@@ -143,10 +143,11 @@ inline float leastTowards(const CrestTree::Node& node, const DirectionRange& ran
     Octet depths;
     std::memcpy(&depths, node.least.data(), sizeof(depths));
     depths = reached ? depths : Octet{} + std::numeric_limits<float>::infinity();
-    float result = depths[0];
-    for (int k = 1; k < kSectors; ++k)
-        result = std::min(result, depths[k]);
-    return result;
+    // By halves: one after the other they would wait for each other.
+    const auto lessOf = [](Octet a, Octet b) { return a < b ? a : b; };
+    depths = lessOf(depths, __builtin_shuffle(depths, OctetMask{4, 5, 6, 7, 0, 1, 2, 3}));
+    depths = lessOf(depths, __builtin_shuffle(depths, OctetMask{2, 3, 0, 1, 6, 7, 4, 5}));
+    return std::min(depths[0], depths[1]);
 }
 
 // The leaves of a node along one axis, in texels, and how far they are from the packet.
@@ -156,11 +157,15 @@ struct CrestSpan {
     float leastGap;
 };
 
-// As seen from the apexes of a quarter.
+// Steps along one axis into such a span, from the apexes of a half of the packet.
 struct CrestSteps {
-    Lanes toFirst;  // the least and the most
-    Lanes toLast;
-    Lanes gaps;
+    Lanes squaredGaps;
+    Lanes growth;  // the most that the depth may grow by them
+};
+
+// Which apexes of a packet something counts for.
+struct CrestMasks {
+    LaneMask of[kQuarters];
 };
 
 // The search of one packet.
@@ -257,29 +262,39 @@ class CrestTraversal {
     [[nodiscard]] CrestSpan rows(int level, int j, const Place& place) const {
         return spanOf(level, j, tree_.rows, place.copyJ, apexes_.top, apexes_.bottom);
     }
-    [[nodiscard]] static CrestSteps stepsTo(const CrestSpan& span, Lanes positions) {
+    [[nodiscard]] static CrestSteps stepsTo(const CrestSpan& span, Lanes positions, float aspect,
+                                            float low, float high) {
         const Lanes toFirst = span.first - positions - Leaves::kHalfSide;
         const Lanes toLast = span.last - positions + Leaves::kHalfSide;
-        return {toFirst, toLast, larger(larger(toFirst, -toLast), Lanes{})};
+        const Lanes gaps = larger(larger(toFirst, -toLast), Lanes{}) * aspect;
+        return {gaps * gaps,
+                larger(larger(low * toFirst, low * toLast), larger(high * toFirst, high * toLast))};
     }
 
     // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
-    // of some apex of the quarter, and the depth may grow along it by a gradient of the box.
-    [[nodiscard]] LaneMask mayCount(int quarter, const CrestSpan& columns, const CrestSpan& rows,
-                                    float least, const GradientBox& box) const {
-        const CrestQuarter& apexes = apexes_.quarters[quarter];
-        const CrestSteps x = stepsTo(columns, apexes.x);
-        const CrestSteps y = stepsTo(rows, apexes.y);
-        const Lanes down = y.gaps * scene_.aspect;
-        const Lanes square = x.gaps * x.gaps + down * down - correction_;
-        const Lanes difference = larger(apexes.deepest - least, Lanes{});
-        const auto most = [](float low, float high, const CrestSteps& steps) {
-            return larger(larger(low * steps.toFirst, low * steps.toLast),
-                          larger(high * steps.toFirst, high * steps.toLast));
+    // of some apex, and the depth may grow along it by a gradient of the box.
+    [[nodiscard]] CrestMasks mayCount(const CrestSpan& columns, const CrestSpan& rows, float least,
+                                      const GradientBox& box) const {
+        const auto& quarters = apexes_.quarters;
+        const auto alongX = [&](const CrestQuarter& apexes) {
+            return stepsTo(columns, apexes.x, 1.0f, box.xLeast, box.xMost);
         };
-        const Lanes growth = most(box.xLeast, box.xMost, x) + most(box.yLeast, box.yMost, y);
-        return (difference * difference > limit_[quarter] * square) &
-               (Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{});
+        const auto alongY = [&](const CrestQuarter& apexes) {
+            return stepsTo(rows, apexes.y, scene_.aspect, box.yLeast, box.yMost);
+        };
+        const CrestSteps x[2] = {alongX(quarters[0]), alongX(quarters[1])};
+        const CrestSteps y[2] = {alongY(quarters[0]), alongY(quarters[2])};
+        CrestMasks masks;
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const CrestSteps& across = x[quarter % 2];
+            const CrestSteps& down = y[quarter / 2];
+            const Lanes square = across.squaredGaps + down.squaredGaps - correction_;
+            const Lanes difference = larger(quarters[quarter].deepest - least, Lanes{});
+            const Lanes growth = across.growth + down.growth;
+            masks.of[quarter] = (difference * difference > limit_[quarter] * square) &
+                                (Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{});
+        }
+        return masks;
     }
 
     // The square of the steepest slope into a node, for the packet as a whole.
@@ -370,10 +385,8 @@ class CrestTraversal {
         if (bound <= leastLimit_)
             return;
         ++statistics_.nodes;
-        LaneMask counts{};
-        for (int quarter = 0; quarter < kQuarters; ++quarter)
-            counts |= mayCount(quarter, x, y, least, node.gradients);
-        if (anyLane(counts))
+        const CrestMasks counts = mayCount(x, y, least, node.gradients);
+        if (anyLane((counts.of[0] | counts.of[1]) | (counts.of[2] | counts.of[3])))
             push({level, place, bound}, first);
     }
 
@@ -414,12 +427,11 @@ class CrestTraversal {
 
     void tryLeaf(const Place& place, const CrestSpan& x, const CrestSpan& y) {
         const float least = leaves_.least(place.i, place.j);
-        if (boundOf(x, y, least) <= leastLimit_)
-            return;
-        const GradientBox gradients = leaves_.gradients(place.i, place.j);
+        const CrestMasks counts = mayCount(x, y, least, leaves_.gradients(place.i, place.j));
         for (int quarter = 0; quarter < kQuarters; ++quarter) {
-            const LaneMask open =
-                mayCount(quarter, x, y, least, gradients) & ~isLeftOut(quarter, x, y);
+            if (!anyLane(counts.of[quarter]))
+                continue;
+            const LaneMask open = counts.of[quarter] & ~isLeftOut(quarter, x, y);
             if (anyLane(open))
                 tryLeaf(quarter, place, open, x, y);
         }
