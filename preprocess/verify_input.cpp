@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "textures/image_reader.h"
 #include "textures/input_error.h"
 #include "textures/map_file.h"
+#include "textures/roof_layers.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -60,18 +60,6 @@ std::string attributeOf(const textures::MapSet& maps, const std::string& name,
     return found == maps.attributes.end() ? otherwise : found->second;
 }
 
-int blockOf(const textures::MapSet& maps, const std::string& file) {
-    const std::string text = attributeOf(maps, "relievo:block", "1");
-    int block = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), block);
-    if (error != std::errc() || stop != text.data() + text.size() || block < 1)
-        throw InputError(
-            fmt::format("{}: its attribute 'relievo:block' is '{}', expected a number "
-                        "of cells from 1",
-                        file, text));
-    return block;
-}
-
 std::string describeRoofs(const reference::RoofMap& roofs) {
     const std::size_t sectors = roofs.layers.size();
     return fmt::format("roof cones in {} {}", sectors, sectors == 1 ? "sector" : "sectors");
@@ -87,47 +75,27 @@ std::vector<ConesToVerify> surfaceConesOf(const textures::MapSet& maps,
              SurfaceCones{decodeCones(*cone, relief.depth, maps.encoding), promiseOf(kind)}}};
 }
 
-// `roof` and `ratio` are one layer, `roof0` and `ratio0` on four or eight.
 std::vector<ConesToVerify> roofConesOf(const textures::MapSet& maps,
-                                       const textures::DepthMap& relief, const std::string& file) {
-    reference::RoofMap roofs;
-    const auto addLayer = [&](const std::string& index) {
-        const Plane* roof = maps.find("roof" + index);
-        const Plane* ratio = maps.find("ratio" + index);
-        if ((roof == nullptr) != (ratio == nullptr))
-            throw InputError(fmt::format("{}: lacks the channel '{}{}', which goes with '{}{}'",
-                                         file, roof == nullptr ? "roof" : "ratio", index,
-                                         roof == nullptr ? "ratio" : "roof", index));
-        if (roof != nullptr)
-            roofs.layers.push_back({*roof, *ratio});
-        return roof != nullptr;
-    };
-    if (!addLayer(""))
-        for (int k = 0; addLayer(std::to_string(k));)
-            ++k;
-    const std::size_t layers = roofs.layers.size();
-    if (layers == 0)
+                                       const textures::DepthMap& relief) {
+    const textures::RoofLayers found = textures::roofLayersOf(maps);
+    if (found.layers.empty())
         return {};
-    if (layers != 1 && layers != 4 && layers != 8)
-        throw InputError(
-            fmt::format("{}: has {} layers of roof cones, expected 1, 4 or 8", file, layers));
-    roofs.block = blockOf(maps, file);
+    reference::RoofMap roofs;
+    for (const textures::RoofLayer& layer : found.layers)
+        roofs.layers.push_back({*layer.roof, *layer.ratio});
+    roofs.block = found.block;
     return {{describeRoofs(roofs), relief, std::move(roofs)}};
 }
 
-std::vector<ConesToVerify> conesOfLevel(const textures::MapSet& maps, const std::string& file) {
-    textures::DepthMap relief;
-    try {
-        relief = textures::depthMapOf(maps);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", file, error.what()));
-    }
+std::vector<ConesToVerify> conesOfLevel(const textures::MapSet& maps, const std::string& file) try {
+    const textures::DepthMap relief = textures::depthMapOf(maps);
     std::vector<ConesToVerify> all = surfaceConesOf(maps, relief);
-    std::ranges::move(roofConesOf(maps, relief, file), std::back_inserter(all));
+    std::ranges::move(roofConesOf(maps, relief), std::back_inserter(all));
     if (all.empty())
-        throw InputError(fmt::format(
-            "{}: holds no cones, expected the channel 'cone', 'roof' or 'roof0'", file));
+        throw InputError("holds no cones, expected the channel 'cone', 'roof' or 'roof0'");
     return all;
+} catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
 }
 
 std::vector<ConesToVerify> conesOfMapFile(const VerifyArguments& arguments) {
