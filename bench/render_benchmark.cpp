@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "bench/stopwatch.h"
+#include "bench/technique_maps.h"
 #include "commands/progress.h"
 #include "materials/technique_registry.h"
-#include "preprocess/conservative_cones.h"
-#include "preprocess/derivatives.h"
+#include "preprocess/relief_baker.h"
 #include "surfaces/surface_mesh.h"
 #include "textures/sample_reliefs.h"
 #include "viewer/camera.h"
@@ -21,20 +22,6 @@
 namespace relievo::bench {
 
 namespace {
-
-/// All maps that the techniques may ask for.
-textures::MapSet bakeSample(const std::string& sample, int size) {
-    const textures::DepthMap map = textures::generateSampleRelief(sample, size, size);
-    preprocess::Derivatives derivatives = preprocess::buildDerivatives(map);
-    textures::MapSet maps;
-    maps.wrap = map.wrap;
-    maps.channels = {
-        {"depth", map.depth},
-        {"dx", std::move(derivatives.dx)},
-        {"dy", std::move(derivatives.dy)},
-        {"cone", preprocess::buildConservativeCones(map, preprocess::ConeGuarantee::Texel)}};
-    return maps;
-}
 
 viewer::View viewFrom(double elevation, const RenderBenchmarkOptions& options) {
     constexpr float kUnbounded = std::numeric_limits<float>::infinity();
@@ -72,10 +59,36 @@ double frameSeconds(viewer::SceneRenderer& renderer, materials::ReliefMaterial& 
     });
 }
 
-/// One sample on the GPU, and what its frames are drawn to.
+/// One sample on the GPU, with the maps of some techniques, and what its frames are drawn to.
 struct SampleStage {
     viewer::SceneRenderer renderer;
     gl::Framebuffer target;
+};
+
+/// A sample with the maps of every technique: those that need the same maps share a stage.
+class SampleStages {
+  public:
+    SampleStages(const std::string& sample, const RenderBenchmarkOptions& options)
+        : name_(sample),
+          relief_(textures::generateSampleRelief(sample, options.size, options.size)),
+          frame_(options.frame) {}
+
+    SampleStage& of(const materials::Technique& technique) {
+        const preprocess::ReliefPlan plan = planFor(technique);
+        const std::string key = preprocess::optionWords(plan);
+        if (const auto found = stages_.find(key); found != stages_.end())
+            return found->second;
+        SampleStage stage{viewer::SceneRenderer(preprocess::bakeRelief(relief_, plan), name_, {}),
+                          gl::Framebuffer(frame_, frame_, std::array<GLenum, 1>{GL_RGBA8})};
+        stage.renderer.setSurface(surfaces::makeQuad({1.0f, 1.0f}, 1.0f));
+        return stages_.emplace(key, std::move(stage)).first->second;
+    }
+
+  private:
+    std::string name_;
+    textures::DepthMap relief_;
+    int frame_;
+    std::map<std::string, SampleStage> stages_;
 };
 
 RenderMeasurement measureTechnique(SampleStage& stage, const materials::Technique& technique,
@@ -107,19 +120,17 @@ RenderReport measureRender(const RenderBenchmarkOptions& options) {
     commands::Progress progress("frames", options.samples.size() * options.elevations.size() *
                                               measurementsPerView(options));
     for (const std::string& sample : options.samples) {
-        SampleStage stage{
-            viewer::SceneRenderer(bakeSample(sample, options.size), sample, {}),
-            gl::Framebuffer(options.frame, options.frame, std::array<GLenum, 1>{GL_RGBA8})};
-        stage.renderer.setSurface(surfaces::makeQuad({1.0f, 1.0f}, 1.0f));
+        SampleStages stages(sample, options);
         for (const double elevation : options.elevations) {
             const viewer::View view = viewFrom(elevation, options);
             const viewer::ReferenceFrame exact =
-                stage.renderer.trace(view, options.frame, options.frame);
+                stages.of(materials::findTechnique("normal"))
+                    .renderer.trace(view, options.frame, options.frame);
             for (const std::string& name : options.techniques) {
                 const materials::Technique& technique = materials::findTechnique(name);
                 for (const std::optional<int> steps : budgetsOf(technique, options)) {
-                    report.measurements.push_back(
-                        measureTechnique(stage, technique, steps, view, exact, options));
+                    report.measurements.push_back(measureTechnique(stages.of(technique), technique,
+                                                                   steps, view, exact, options));
                     report.measurements.back().sample = sample;
                     report.measurements.back().elevation = elevation;
                     progress.advance();

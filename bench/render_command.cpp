@@ -1,8 +1,10 @@
 #include "bench/render_command.h"
 
 #include <map>
+#include <utility>
 
 #include "bench/benchmark_options.h"
+#include "bench/render_summary.h"
 #include "commands/program.h"
 #include "materials/technique_registry.h"
 #include "textures/version.h"
@@ -51,7 +53,8 @@ RenderCommand::RenderCommand(CLI::App& app)
     command_->footer(
         "Examples:\n"
         "  relievo-bench render --samples noise --techniques relief,cone --elevations 45,15\n"
-        "  relievo-bench render --steps 16,64,256 --json render.json --plot render.svg");
+        "  relievo-bench render --steps 16,64,256 --json render.json --plot render.svg\n"
+        "  relievo-bench render --techniques relief,exact --steps 32,4096 --markdown render.md");
 }
 
 void RenderCommand::run() const {
@@ -59,6 +62,8 @@ void RenderCommand::run() const {
     const RenderReport report = measureRender(options_);
     const ReportTable table = renderTable(report.measurements);
     commands::answer(formatTable(table));
+    std::vector<ReportSection> sections = summariseRender(report.measurements);
+    sections.push_back({"Every relief", "On " + report.renderer + ".", table});
     files.write({.json = {{"benchmark", "render"},
                           {"version", textures::kVersion},
                           {"renderer", report.renderer},
@@ -70,7 +75,7 @@ void RenderCommand::run() const {
                           {"rows", rowsAsJson(table)}},
                  .plot = renderPlot(report.measurements, plotAgainst_),
                  .title = "relievo-bench render",
-                 .sections = {{"Every relief", "On " + report.renderer + ".", table}}});
+                 .sections = std::move(sections)});
 }
 
 }  // namespace relievo::bench

@@ -5,19 +5,27 @@
 #include <map>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "gl/texture.h"
+#include "textures/input_error.h"
 #include "textures/map_set.h"
 
 namespace relievo::materials {
 
 /// How one map of a relief goes to the GPU. Adding a map kind is an entry in relief_maps.cpp.
 struct ReliefMapFormat {
-    std::string_view name;                       ///< "depth", "derivative", "cone"
-    std::string_view sampler;                    ///< the sampler2D in the shader library
+    std::string_view name;                       ///< "depth", "derivative", "cone", "roof"
+    std::string_view sampler;                    ///< in the shader library
     std::span<const std::string_view> channels;  ///< of the map set, in the order r, g, b, a
     GLenum internalFormat;
     GLenum filter;
+    /// A sampler2DArray with a layer for each sector of ray directions, whose channels have its
+    /// number (none when there is one sector): roof0, ratio0, roof1 … Otherwise a sampler2D.
+    bool hasSectors = false;
+    /// The kind of cones that the channels hold, a word of relievo-bake relief --cone; "" for maps
+    /// without cones.
+    std::string_view cones = "";
 };
 
 /// All maps that can go to the GPU.
@@ -35,7 +43,8 @@ class ReliefMaps {
     /// textures::InputError when `maps` has no channel `depth`.
     ReliefMaps(textures::MapSet maps, std::string name);
 
-    /// The texture of one map. Throws textures::InputError that names the channel the set lacks.
+    /// The texture of one map. Throws textures::InputError that names the channel the set lacks, or
+    /// the kind of cones that it has instead of the one needed.
     const gl::Texture& texture(std::string_view mapName);
     /// Throws what `texture` would, without uploading anything.
     void require(std::string_view mapName) const;
@@ -43,6 +52,14 @@ class ReliefMaps {
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return maps_; }
 
   private:
+    /// The planes of each array layer of a map, or of its only one.
+    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> layersOf(
+        const ReliefMapFormat& format) const;
+    [[nodiscard]] std::vector<const textures::Plane*> channelsOf(
+        const ReliefMapFormat& format) const;
+    [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
+                                               std::string_view channel) const;
+
     textures::MapSet maps_;
     std::string name_;
     std::map<std::string_view, gl::Texture> textures_;

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/context.h"
 #include "textures/input_error.h"
+#include "textures/roof_layers.h"
 
 namespace relievo::materials {
 namespace {
@@ -49,10 +51,27 @@ double ReliefMaterial::parameter(std::string_view name) const {
     return values_[static_cast<std::size_t>(&info - technique_->parameters.data())];
 }
 
+bool ReliefMaterial::reads(std::string_view mapName) const {
+    return std::ranges::find(technique_->maps, mapName) != technique_->maps.end();
+}
+
 std::vector<shaders::Define> ReliefMaterial::defines() const {
+    const textures::MapSet& maps = maps_->maps();
     std::vector<shaders::Define> result;
-    if (maps_->maps().encoding == textures::ConeEncoding::Radius)
-        result.push_back({"RELIEVO_CONE_RADIUS", "1"});
+    if (reads("cone") || reads("relaxed-cone")) {
+        // What says nothing of a guarantee is taken to hold at texel centres only.
+        const auto guarantee = maps.attributes.find("relievo:guarantee");
+        if (guarantee != maps.attributes.end() && guarantee->second == "bilinear")
+            result.push_back({"RELIEVO_CONE_BILINEAR", "1"});
+        if (maps.encoding == textures::ConeEncoding::Radius)
+            result.push_back({"RELIEVO_CONE_RADIUS", "1"});
+    }
+    if (reads("roof")) {
+        if (maps.wrap == textures::WrapMode::Mirror)
+            result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
+        if (maps.wrap == textures::WrapMode::Clamp)
+            result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
+    }
     return result;
 }
 
@@ -65,7 +84,8 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     };
     for (const std::string_view map : technique_->maps)
         bindMap(map);
-    bindMap("derivative");
+    if (!reads("derivative"))
+        bindMap("derivative");
 
     for (std::size_t k = 0; k < values_.size(); ++k) {
         const TechniqueParameter& info = technique_->parameters[k];
@@ -75,6 +95,9 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
         else
             glProgramUniform1f(program, location, static_cast<GLfloat>(values_[k]));
     }
+    if (reads("roof"))
+        glProgramUniform1i(program, uniformLocation(program, "relievoRoofBlock"),
+                           textures::roofLayersOf(maps_->maps()).block);
     glProgramUniform1f(program, uniformLocation(program, "relievoDepthScale"), depthScale);
     glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
                         glm::value_ptr(window));

@@ -49,6 +49,9 @@ class ReliefMaterial {
         std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
 
   private:
+    /// Whether the technique's search reads the map of that name.
+    [[nodiscard]] bool reads(std::string_view mapName) const;
+
     std::shared_ptr<ReliefMaps> maps_;
     const Technique* technique_;
     std::vector<double> values_;  // one a parameter of the technique

@@ -12,33 +12,125 @@ namespace relievo::materials {
 namespace {
 
 constexpr std::string_view kDepthMaps[] = {"depth"};
+constexpr std::string_view kSlopeMaps[] = {"depth", "derivative"};
 constexpr std::string_view kConeMaps[] = {"depth", "cone"};
+constexpr std::string_view kRelaxedMaps[] = {"depth", "relaxed-cone"};
+constexpr std::string_view kRoofMaps[] = {"depth", "roof"};
 
-constexpr TechniqueParameter kLinearParameters[] = {
-    {"linear-steps", "relievoLinearSteps", "equal steps along the ray", 1, 4096, 64, true, true},
+// Parameters that several techniques take.
+constexpr TechniqueParameter linearSteps(int defaultValue) {
+    return {"linear-steps",
+            "relievoLinearSteps",
+            "equal steps along the ray",
+            1,
+            4096,
+            static_cast<double>(defaultValue),
+            true,
+            true};
+}
+constexpr TechniqueParameter binarySteps(int defaultValue, bool isBudget = false) {
+    return {"binary-steps",
+            "relievoBinarySteps",
+            "halvings of the stretch that holds a crossing",
+            0,
+            32,
+            static_cast<double>(defaultValue),
+            true,
+            isBudget};
+}
+constexpr TechniqueParameter secantSteps(int defaultValue, bool isBudget = false) {
+    return {"secant-steps",
+            "relievoSecantSteps",
+            "crossings of the line through both ends of that stretch",
+            0,
+            32,
+            static_cast<double>(defaultValue),
+            true,
+            isBudget};
+}
+constexpr TechniqueParameter kConeSteps = {"cone-steps",
+                                           "relievoConeSteps",
+                                           "cones that a ray may cross before the search gives up",
+                                           1,
+                                           16384,
+                                           2048,
+                                           true,
+                                           true};
+constexpr TechniqueParameter kTolerance = {"tolerance",
+                                           "relievoTolerance",
+                                           "depth above the surface that counts as a hit, of 1",
+                                           1e-7,
+                                           0.1,
+                                           1.0 / 65536,
+                                           false,
+                                           false};
+
+constexpr TechniqueParameter kParallaxParameters[] = {
+    {"parallax-steps", "relievoParallaxSteps",
+     "approximations, one of which is slope-aware "
+     "parallax mapping",
+     1, 256, 4, true, true},
 };
-constexpr TechniqueParameter kReliefParameters[] = {
-    {"linear-steps", "relievoLinearSteps", "equal steps along the ray", 1, 4096, 32, true, true},
-    {"binary-steps", "relievoBinarySteps", "halvings of the step that pierced the surface", 0, 32,
-     5, true, false},
+constexpr TechniqueParameter kBinaryParameters[] = {binarySteps(8, true)};
+constexpr TechniqueParameter kSecantParameters[] = {secantSteps(8, true)};
+constexpr TechniqueParameter kLinearParameters[] = {linearSteps(64)};
+constexpr TechniqueParameter kReliefParameters[] = {linearSteps(32), binarySteps(5)};
+constexpr TechniqueParameter kIntervalParameters[] = {linearSteps(32), secantSteps(3)};
+constexpr TechniqueParameter kOcclusionParameters[] = {
+    {"most-steps", "relievoMostSteps", "equal steps along rays that graze the surface", 1, 4096, 64,
+     true, true},
+    {"fewest-steps", "relievoFewestSteps", "equal steps along rays from straight above", 1, 4096, 8,
+     true, false},
 };
 constexpr TechniqueParameter kConeParameters[] = {
-    {"cone-steps", "relievoConeSteps", "cones that a ray may cross before the search gives up", 1,
-     16384, 2048, true, true},
-    {"tolerance", "relievoTolerance", "depth above the surface that counts as a hit, of 1", 1e-7,
-     0.1, 1.0 / 65536, false, false},
+    kConeSteps,
+    kTolerance,
     {"refinements", "relievoConeRefinements", "halvings of a step that pierced the surface", 0, 32,
      10, true, false},
+};
+constexpr TechniqueParameter kRelaxedParameters[] = {kConeSteps, kTolerance, binarySteps(10)};
+constexpr TechniqueParameter kRelaxedSecantParameters[] = {kConeSteps, kTolerance, secantSteps(5)};
+constexpr TechniqueParameter kExactParameters[] = {
+    {"exact-steps", "relievoExactSteps", "cones and cells that a ray may cross before it gives up",
+     1, 65536, 16384, true, true},
 };
 
 constexpr Technique kTechniques[] = {
     {"normal", "normal mapping", "Blinn 1978", "relievo/techniques/normal.glsl", kDepthMaps, {}},
+    {"parallax",
+     "parallax mapping",
+     "Kaneko et al. 2001",
+     "relievo/techniques/parallax.glsl",
+     kDepthMaps,
+     {}},
+    {"offset-limited",
+     "parallax with offset limiting",
+     "Welsh 2004",
+     "relievo/techniques/offset_limited.glsl",
+     kDepthMaps,
+     {}},
+    {"iterative-parallax", "iterative parallax mapping", "Premecz 2006",
+     "relievo/techniques/iterative_parallax.glsl", kSlopeMaps, kParallaxParameters},
+    {"binary", "binary search", "thesis 2.3.2", "relievo/techniques/binary.glsl", kDepthMaps,
+     kBinaryParameters},
+    {"secant", "secant search", "thesis 2.3.2", "relievo/techniques/secant.glsl", kDepthMaps,
+     kSecantParameters},
     {"linear", "linear search", "thesis 2.3.1", "relievo/techniques/linear.glsl", kDepthMaps,
      kLinearParameters},
+    {"parallax-occlusion", "parallax occlusion mapping", "Tatarchuk 2006",
+     "relievo/techniques/parallax_occlusion.glsl", kDepthMaps, kOcclusionParameters},
     {"relief", "relief mapping", "Policarpo, Oliveira, Comba 2005",
      "relievo/techniques/relief.glsl", kDepthMaps, kReliefParameters},
+    {"interval", "interval mapping", "Risser, Shah, Pattanaik 2006",
+     "relievo/techniques/interval.glsl", kDepthMaps, kIntervalParameters},
     {"cone", "cone tracing", "Dummer 2006", "relievo/techniques/cone.glsl", kConeMaps,
      kConeParameters},
+    {"relaxed", "relaxed cones and binary search", "Policarpo, Oliveira 2007",
+     "relievo/techniques/relaxed.glsl", kRelaxedMaps, kRelaxedParameters},
+    {"relaxed-secant", "relaxed cones and secant search", "Policarpo, Oliveira 2007",
+     "relievo/techniques/relaxed_secant.glsl", kRelaxedMaps, kRelaxedSecantParameters},
+    {"exact", "exact hits by roof cones", "ours", "relievo/techniques/exact.glsl", kRoofMaps,
+     kExactParameters},
 };
 
 constexpr Technique kGivenHits = {"reference",

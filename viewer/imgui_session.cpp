@@ -12,7 +12,8 @@ namespace {
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 void loadFont() {
-    static constexpr ImWchar kRanges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0};  // Latin, dashes, …
+    // Latin; dashes and the ellipsis; arrows.
+    static constexpr ImWchar kRanges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0x2190, 0x2193, 0};
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     if (std::filesystem::exists(kFontFile)) {
         fonts.AddFontFromFileTTF(kFontFile, kFontSize, nullptr, kRanges);

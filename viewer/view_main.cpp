@@ -43,7 +43,7 @@ void run(viewer::ViewOptions& options, bool hasSize) {
     if (!options.headless && !hasSize)
         options.width = options.height = kWindowPictureSize;
     if (options.techniques.empty())
-        options.techniques = {"cone"};
+        options.techniques = {"exact"};
     viewer::checkViewOptions(options);
     if (options.list)
         listTechniques();
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     app.footer(
         "Examples:\n"
         "  relievo-view bricks.exr\n"
-        "  relievo-view bricks.exr --compare relief,cone,reference --headless -o sheet.png "
+        "  relievo-view bricks.exr --compare relief,exact,reference --headless -o sheet.png "
         "--error errors.exr\n"
         "  relievo-view bricks.exr --mesh box --tiles 2,2 --depth-scale 0.05 --camera 20,15,2");
     return commands::runProgram(app, argc, argv, [&] { run(options, app.count("--size") > 0); });

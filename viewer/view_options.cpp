@@ -180,7 +180,7 @@ void addViewOptions(CLI::App& app, ViewOptions& options) {
     auto* technique = app.add_option_function<std::string>(
         "--technique", [&options](const std::string& name) { options.techniques = {name}; },
         "Technique to show; see --list. \"reference\" is the exact picture");
-    technique->type_name("NAME")->default_str("cone");
+    technique->type_name("NAME")->default_str("exact");
     app.add_option_function<std::vector<std::string>>(
            "--compare",
            [&options](const std::vector<std::string>& names) { options.techniques = names; },

@@ -154,15 +154,33 @@ class ViewWindow {
                 handleKey(press);
     }
 
+    // 1 … 9 are the first of the list, 0 is the exact picture, the arrows go through the list; with
+    // Shift for B. Returns whether it is one of these keys.
+    bool chooseTechnique(const KeyPress& press) {
+        const auto choices = techniqueChoices();
+        std::string& technique =
+            (press.modifiers & GLFW_MOD_SHIFT) != 0 ? settings_.techniqueB : settings_.techniqueA;
+        const auto current =
+            static_cast<std::size_t>(std::ranges::find(choices, technique) - choices.begin());
+        std::size_t chosen = current;
+        if (press.key == GLFW_KEY_0)
+            chosen = choices.size() - 1;
+        else if (press.key >= GLFW_KEY_1 && press.key <= GLFW_KEY_9)
+            chosen = static_cast<std::size_t>(press.key - GLFW_KEY_1);
+        else if (press.key == GLFW_KEY_DOWN)
+            chosen = (current + 1) % choices.size();
+        else if (press.key == GLFW_KEY_UP)
+            chosen = (current + choices.size() - 1) % choices.size();
+        else
+            return false;
+        if (chosen < choices.size())
+            technique = choices[chosen];
+        return true;
+    }
+
     void handleKey(const KeyPress& press) {
-        if (press.key >= GLFW_KEY_1 && press.key <= GLFW_KEY_9) {
-            const auto choices = techniqueChoices();
-            const auto index = static_cast<std::size_t>(press.key - GLFW_KEY_1);
-            if (index < choices.size())
-                ((press.modifiers & GLFW_MOD_SHIFT) != 0 ? settings_.techniqueB
-                                                         : settings_.techniqueA) = choices[index];
+        if (chooseTechnique(press))
             return;
-        }
         switch (press.key) {
             case GLFW_KEY_M:
                 settings_.mode = static_cast<ComparisonMode>(

@@ -22,8 +22,9 @@ struct KeyHelp {
 };
 
 constexpr std::array kKeys = {
-    KeyHelp{"1 … 9", "technique A"},
-    KeyHelp{"Shift + 1 … 9", "technique B"},
+    KeyHelp{"1 … 9, ↑ ↓", "technique A of the list"},
+    KeyHelp{"0", "the exact picture as A"},
+    KeyHelp{"Shift + these", "technique B"},
     KeyHelp{"M", "next comparison: single, side by side, split, error"},
     KeyHelp{"Space", "animate the depth scale"},
     KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},

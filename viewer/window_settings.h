@@ -40,8 +40,7 @@ struct WindowSettings {
 /// side by side when there are two.
 WindowSettings makeWindowSettings(const ViewOptions& options);
 
-/// The names that A and B can take, in the order of the lists and of the number keys: the registry,
-/// then kReferenceName.
+/// The names that A and B can take, in the order of the lists: the registry, then kReferenceName.
 std::vector<std::string_view> techniqueChoices();
 
 /// The title of one of techniqueChoices().

@@ -1,13 +1,20 @@
 // Access to the maps of a relief. Every lookup of a search goes through here and is counted: the
 // count costs nothing where the program does not read it.
 
-uniform sampler2D relievoDepthMap;  // D, linear filter, wrap mode of the map
+uniform sampler2D relievoDepthMap;       // D, linear filter, wrap mode of the map
+uniform sampler2D relievoDerivativeMap;  // ∂D/∂u, ∂D/∂v in the metric at a = 1, likewise
 
 int reliefFetchCount = 0;
 
 float reliefDepth(vec2 uv) {
     ++reliefFetchCount;
     return textureLod(relievoDepthMap, uv, 0.0).r;
+}
+
+// Gradient of D, in the metric at a = 1.
+vec2 reliefGradient(vec2 uv) {
+    ++reliefFetchCount;
+    return textureLod(relievoDerivativeMap, uv, 0.0).rg;
 }
 
 // The bilinear cell that holds a point: the patch between four texel centres.

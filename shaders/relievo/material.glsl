@@ -3,9 +3,8 @@
 #include "relievo/maps.glsl"
 #include "relievo/ray.glsl"
 
-uniform sampler2D relievoDerivativeMap;  // ∂D/∂u, ∂D/∂v in the metric at a = 1, linear filter
-uniform float relievoDepthScale;         // a: depth of D = 1, in tile widths
-uniform vec4 relievoWindow;              // minimum u, v and maximum u, v of the relief
+uniform float relievoDepthScale;  // a: depth of D = 1, in tile widths
+uniform vec4 relievoWindow;       // minimum u, v and maximum u, v of the relief
 
 struct ReliefFragment {
     ReliefRay ray;
@@ -14,9 +13,6 @@ struct ReliefFragment {
     vec3 normal;      // of the relief there, in world space, unit length
     vec3 tileNormal;  // the same in the tile's metric, z up
 };
-
-// Gradient of D at a hit, in the metric at a = 1.
-vec2 reliefGradient(vec2 uv) { return textureLod(relievoDerivativeMap, uv, 0.0).rg; }
 
 // The normal of the displaced surface, in step with the depth scale: the depth w·D (w = a·|tangent|)
 // has the surface gradient w·(∂D/∂u·dualU + ∂D/∂v·dualV), and ∂D/∂v = ρ·dy because dy is measured in

@@ -11,6 +11,7 @@ struct ReliefRay {
     float speed;      // length of the horizontal part, in [0,1]
     float end;        // t at which the ray leaves the window or reaches the bottom
     float worldLength;  // length of one unit of t along the ray, in world units
+    float depthScale;   // a: depth of D = 1, in tile widths
 };
 
 struct ReliefHit {
@@ -31,6 +32,16 @@ struct ReliefSurface {
 };
 
 vec3 reliefPoint(ReliefRay ray, float t) { return ray.origin + t * ray.direction; }
+
+// The t in which a ray goes the distance of a depth of 1, whatever its direction; a relief without depth
+// has vertical rays, which go it in t = 1.
+float reliefDepthLength(ReliefRay ray) {
+    float tileLength = length(vec2(ray.speed, ray.depthScale * ray.direction.z));
+    return tileLength > 0.0 ? ray.depthScale / tileLength : 1.0;
+}
+
+// The cosine of the angle between a ray and the inward normal of the reference surface.
+float reliefCosine(ReliefRay ray) { return reliefDepthLength(ray) * ray.direction.z; }
 
 // The dual basis of (tangent, bitangent) within their plane: dot(dualU, tangent) = 1,
 // dot(dualU, bitangent) = 0, and the other way round. It serves skewed and mirrored
@@ -73,6 +84,7 @@ ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4
     ray.direction = norm > 0.0 ? scaled / norm : vec3(0.0, 0.0, 1.0);
     ray.speed = length(vec2(ray.direction.x, aspect * ray.direction.y));
     ray.worldLength = norm > 0.0 ? worldDepth / norm : 0.0;
+    ray.depthScale = depthScale;
     float end = ray.speed > 0.0 ? RELIEVO_MAXIMUM_REACH / ray.speed : RELIEVO_MAXIMUM_REACH;
     end = min(end, reliefAxisExit(ray.origin.x, ray.direction.x, window.x, window.z));
     end = min(end, reliefAxisExit(ray.origin.y, ray.direction.y, window.y, window.w));

@@ -167,8 +167,9 @@ TEST(BenchBake, WorkDoesNotDependOnThreads) {
 
 TEST(BenchRender, MoreStepsHaveFewerErrors) {
     const ScratchFolder folder;
-    const ProcessResult result = bench(kSmallRender + Words{"--json", folder.file("render.json"),
-                                                            "--plot", folder.file("render.svg")});
+    const ProcessResult result = bench(
+        kSmallRender + Words{"--json", folder.file("render.json"), "--plot",
+                             folder.file("render.svg"), "--markdown", folder.file("render.md")});
     ASSERT_EQ(result.exitStatus, 0) << result.errors;
     const std::vector<Words> table = parseTable(result.output);
     ASSERT_EQ(table.size(), 1u + 2 * (1 + 2 + 2));
@@ -196,6 +197,8 @@ TEST(BenchRender, MoreStepsHaveFewerErrors) {
     EXPECT_EQ(find("cone", 64).at("wrongPercent"), 0.0);
     EXPECT_GT(find("cone", 64).at("meanFetches"), find("cone", 4).at("meanFetches"));
     EXPECT_THAT(readBytes(folder.file("render.svg")), HasSubstr("wave, 30"));
+    EXPECT_THAT(readBytes(folder.file("render.md")),
+                AllOf(HasSubstr("## Wrong first hits"), HasSubstr("| relief 64 |")));
 }
 
 TEST(BenchRender, BackEndsAgreeOnAllButTime) {

@@ -23,6 +23,8 @@ TEST(Glslang, AcceptsEveryProgram) {
     const std::vector<std::vector<shaders::Define>> variants = {
         {},
         {{"RELIEVO_CONE_RADIUS", "1"}},
+        {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
+        {{"RELIEVO_WRAP_CLAMP", "1"}},
         {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
     for (const Technique& technique : techniques())
         for (const char* fragment :

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "gl/context.h"
 #include "gl/framebuffer.h"
@@ -29,7 +30,8 @@ textures::MapSet flatMaps(std::initializer_list<const char*> channels, float val
 class ReliefMaterialTest : public testing::Test {
   protected:
     static std::shared_ptr<ReliefMaps> fullMaps() {
-        return std::make_shared<ReliefMaps>(flatMaps({"depth", "dx", "dy", "cone"}), "flat.exr");
+        return std::make_shared<ReliefMaps>(
+            flatMaps({"depth", "dx", "dy", "cone", "roof", "ratio"}), "flat.exr");
     }
 
     std::unique_ptr<gl::Context> context_ = gl::createContext(gl::Backend::OSMesa, {.debug = true});
@@ -40,9 +42,15 @@ TEST_F(ReliefMaterialTest, EveryTechniqueBindsToBothPrograms) {
     for (const Technique& technique : techniques())
         for (const std::string_view fragment : {kShaded, kMeasured}) {
             SCOPED_TRACE(std::string(technique.name) + " in " + std::string(fragment));
-            const ReliefMaterial material(fullMaps(), technique);
+            // Each map to a unit of its own, and that of the shading once.
+            std::set<std::string_view> maps(technique.maps.begin(), technique.maps.end());
+            textures::MapSet set = flatMaps({"depth", "dx", "dy", "cone", "roof", "ratio"});
+            set.attributes["relievo:cone"] =
+                maps.contains("relaxed-cone") ? "relaxed" : "conservative";
+            const ReliefMaterial material(std::make_shared<ReliefMaps>(set, "x.exr"), technique);
             gl::Program& program = programs_.get(fragment, technique.file, material.defines());
-            EXPECT_EQ(material.bind(program.id(), 3), 3 + technique.maps.size() + 1);
+            maps.insert("derivative");
+            EXPECT_EQ(material.bind(program.id(), 3), 3 + maps.size());
         }
 }
 
@@ -59,6 +67,40 @@ TEST_F(ReliefMaterialTest, MissingChannelIsNamedWithTheFileAndTheRemedy) {
     EXPECT_THROW(ReliefMaps(flatMaps({"dx", "dy"}), "x.exr"), textures::InputError);
     const auto noDerivative = std::make_shared<ReliefMaps>(flatMaps({"depth"}), "x.exr");
     EXPECT_THROW(ReliefMaterial(noDerivative, findTechnique("normal")), textures::InputError);
+}
+
+// Cone tracing in relaxed cones would pass first hits without a word.
+TEST_F(ReliefMaterialTest, ConesOfAnotherKindAreRefused) {
+    textures::MapSet set = flatMaps({"depth", "dx", "dy", "cone"});
+    set.attributes["relievo:cone"] = "relaxed";
+    try {
+        ReliefMaterial(std::make_shared<ReliefMaps>(set, "x.exr"), findTechnique("cone"));
+        FAIL() << "relaxed cones were accepted";
+    } catch (const textures::InputError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("x.exr"), HasSubstr("relaxed cones"),
+                                        HasSubstr("--cone conservative")));
+    }
+    set.attributes["relievo:cone"] = "conservative";
+    EXPECT_NO_THROW(
+        ReliefMaterial(std::make_shared<ReliefMaps>(set, "x.exr"), findTechnique("cone")));
+}
+
+TEST_F(ReliefMaterialTest, RoofConesGoToALayerForEachSector) {
+    textures::MapSet set = flatMaps({"depth", "dx", "dy"});
+    for (int k = 0; k < 4; ++k) {
+        set.channels.push_back({"roof" + std::to_string(k), textures::Plane(4, 4, 0.1f)});
+        set.channels.push_back(
+            {"ratio" + std::to_string(k), textures::Plane(4, 4, static_cast<float>(k))});
+    }
+    ReliefMaps maps(set, "x.exr");
+    std::vector<float> texels(4 * 16 * 2);
+    glGetTextureImage(maps.texture("roof").id(), 0, GL_RG, GL_FLOAT,
+                      static_cast<GLsizei>(texels.size() * sizeof(float)), texels.data());
+    for (std::size_t k = 0; k < texels.size(); ++k)
+        EXPECT_EQ(texels[k], k % 2 == 0 ? 0.1f : static_cast<float>(k / 32));
+    set.channels.pop_back();
+    ReliefMaps broken(set, "broken.exr");
+    EXPECT_THROW(broken.texture("roof"), textures::InputError);
 }
 
 TEST_F(ReliefMaterialTest, ParametersKeepTheirRanges) {

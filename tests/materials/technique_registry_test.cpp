@@ -30,7 +30,7 @@ TEST(TechniqueRegistry, EveryEntryIsCompleteAndItsUniformsExist) {
         const shaders::ExpandedShader shader = shaders::expandShader(technique.file, *text, "");
         EXPECT_THAT(shader.text, HasSubstr("ReliefHit searchRelief(ReliefRay ray)"));
         for (const TechniqueParameter& parameter : technique.parameters)
-            EXPECT_THAT(std::string(*text), HasSubstr(std::string(parameter.uniform) + ";"));
+            EXPECT_THAT(shader.text, HasSubstr(std::string(parameter.uniform) + ";"));
         for (const std::string_view map : technique.maps)
             EXPECT_THAT(shader.text, HasSubstr(std::string(reliefMapFormat(map).sampler)));
     }

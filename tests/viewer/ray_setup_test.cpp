@@ -125,9 +125,11 @@ TEST_F(RaySetup, WritesTheWindowDepthOfTheHit) {
 
 TEST_F(RaySetup, HitsStayInsideTheWindow) {
     for (const materials::Technique& technique : materials::techniques()) {
-        materials::ReliefMaterial material = renderer_.makeMaterial(technique);
+        SceneRenderer renderer(bakeMapsFor(technique, map_), "test", Picture());
+        renderer.setSurface(surfaces::makeQuad({2, 3}, 0.5f));
+        materials::ReliefMaterial material = renderer.makeMaterial(technique);
         for (const MeasuredPixel& pixel :
-             renderer_.measure(material, view_, kWidth, kHeight).pixels) {
+             renderer.measure(material, view_, kWidth, kHeight).pixels) {
             if (!pixel.covered || pixel.outcome != RELIEVO_OUTCOME_HIT)
                 continue;
             EXPECT_TRUE(pixel.hit.x >= 0 && pixel.hit.x <= 2 && pixel.hit.y >= 0 &&

@@ -1,36 +1,48 @@
 #include "relief_scene.h"
 
 #include <limits>
+#include <utility>
 
+#include "bench/technique_maps.h"
 #include "materials/technique_registry.h"
-#include "preprocess/cone_encoding.h"
-#include "preprocess/conservative_cones.h"
-#include "preprocess/derivatives.h"
+#include "preprocess/relief_baker.h"
 
 namespace relievo::viewer {
 
 textures::MapSet bakeMaps(const textures::DepthMap& map, textures::ConeEncoding encoding) {
-    const preprocess::Derivatives derivatives = preprocess::buildDerivatives(map);
-    textures::MapSet maps;
-    maps.wrap = map.wrap;
-    maps.encoding = encoding;
-    maps.channels = {{"depth", map.depth},
-                     {"dx", derivatives.dx},
-                     {"dy", derivatives.dy},
-                     {"cone", preprocess::encodeCones(preprocess::buildConservativeCones(
-                                                          map, preprocess::ConeGuarantee::Texel),
-                                                      map.depth, encoding)}};
+    preprocess::ReliefPlan plan;
+    plan.guarantee = "texel";
+    plan.encoding = encoding;
+    textures::MapSet maps = preprocess::bakeRelief(map, plan);
+    preprocess::ReliefPlan roofs;
+    roofs.maps = {"cone"};
+    roofs.cone = "roof";
+    textures::MapSet roofMaps = preprocess::bakeRelief(map, roofs);
+    for (textures::Channel& channel : roofMaps.channels)
+        if (maps.find(channel.name) == nullptr)
+            maps.channels.push_back(std::move(channel));
     return maps;
+}
+
+textures::MapSet bakeMapsFor(const materials::Technique& technique, const textures::DepthMap& map,
+                             textures::ConeEncoding encoding) {
+    const preprocess::ReliefPlan plan = bench::planFor(technique);
+    return plan.cone == "relaxed" ? preprocess::bakeRelief(map, plan) : bakeMaps(map, encoding);
 }
 
 RayScene::RayScene(const textures::MapSet& maps, float azimuth, float elevation, float depthScale)
     : renderer(maps, "test", Picture()) {
-    const auto aspect = static_cast<float>(renderer.depthMap().aspect());
-    renderer.setSurface(surfaces::makeQuad({1, 1}, aspect));
-    view.camera = parallelRays(azimuth, elevation, aspect);
-    view.depthScale = depthScale;
+    renderer.setSurface(
+        surfaces::makeQuad({1, 1}, static_cast<float>(renderer.depthMap().aspect())));
+    look(azimuth, elevation, depthScale);
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     view.window = {-kInfinity, -kInfinity, kInfinity, kInfinity};
+}
+
+void RayScene::look(float azimuth, float elevation, float depthScale) {
+    view.camera =
+        parallelRays(azimuth, elevation, static_cast<float>(renderer.depthMap().aspect()));
+    view.depthScale = depthScale;
 }
 
 reference::ErrorStatistics RayScene::errors(const materials::Technique& technique, int size) {

@@ -11,9 +11,14 @@
 
 namespace relievo::viewer {
 
-/// All maps of a relief, built in memory.
+/// All maps that techniques read, built in memory: cones of texel centres, and roof cones.
 textures::MapSet bakeMaps(const textures::DepthMap& map,
                           textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
+
+/// The maps for one technique: those of bakeMaps, or for one that reads relaxed cones those instead
+/// of conservative ones.
+textures::MapSet bakeMapsFor(const materials::Technique& technique, const textures::DepthMap& map,
+                             textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
 
 /// A relief on one quad tile under parallel rays, without a window: what most image tests look at.
 /// Needs a current context.
@@ -22,6 +27,9 @@ struct RayScene {
     View view;
 
     RayScene(const textures::MapSet& maps, float azimuth, float elevation, float depthScale = 0.1f);
+
+    /// Looks from elsewhere. Programs and maps stay.
+    void look(float azimuth, float elevation, float depthScale = 0.1f);
 
     /// Errors of `technique` over a frame of size², a first hit being wrong when it is off by more
     /// than a texel. Parameters take their defaults, or those of `material`.

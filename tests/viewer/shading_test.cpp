@@ -44,8 +44,9 @@ TEST_F(Shading, NormalsFollowTheDepthScale) {
 }
 
 TEST_F(Shading, WithoutDepthTheReliefIsFlatAndItsNormalsStraight) {
-    RayScene scene(bakeMaps(textures::generateSampleRelief("cobbles", 64, 64)), 30.0f, 20.0f, 0.0f);
+    const textures::DepthMap map = textures::generateSampleRelief("cobbles", 64, 64);
     for (const materials::Technique& technique : materials::techniques()) {
+        RayScene scene(bakeMapsFor(technique, map), 30.0f, 20.0f, 0.0f);
         materials::ReliefMaterial material = scene.renderer.makeMaterial(technique);
         for (const MeasuredPixel& pixel :
              scene.renderer.measure(material, scene.view, 32, 32).pixels) {

@@ -179,8 +179,8 @@ TEST_F(ViewCommandTest, BadInputIsStatusOneOneSentenceAndNoOutput) {
 
     expectFailure(render(map(), picture, {"--technique", "no-such-technique"}), 1,
                   "no-such-technique");
-    expectFailure(render(map(), picture, {"--set", "cone-steps=0"}), 1, "cone-steps");
-    expectFailure(render(map(), picture, {"--set", "cone-steps=2.5"}), 1, "cone-steps");
+    expectFailure(render(map(), picture, {"--set", "exact-steps=0"}), 1, "exact-steps");
+    expectFailure(render(map(), picture, {"--set", "exact-steps=2.5"}), 1, "exact-steps");
     expectFailure(render(map(), picture, {"--albedo", inputs_.file("none.png")}), 1, "none.png");
     expectFailure(render(map(), outputs_.file("no-such-folder/a.png")), 1, "no-such-folder");
     expectFailure(render(map(), outputs_.file("a.xyz")), 1, "a.xyz");

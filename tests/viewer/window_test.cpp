@@ -102,9 +102,17 @@ class WindowTest : public testing::Test {
         return static_cast<int>(std::ranges::find(choices, technique) - choices.begin());
     }
 
-    /// The number key of a technique.
-    static std::string keyOf(std::string_view technique) {
-        return std::to_string(choiceOf(technique) + 1);
+    /// Chooses a technique by its number key, or by the last of these and arrows; `modifier` is
+    /// "shift+" for technique B.
+    static void choose(std::string_view technique, const std::string& modifier = "") {
+        const int choice = choiceOf(technique);
+        if (technique == viewer::kReferenceName) {
+            display_->pressKey(modifier + "0");
+            return;
+        }
+        display_->pressKey(modifier + std::to_string(std::min(choice, 8) + 1));
+        for (int k = 8; k < choice; ++k)
+            display_->pressKey(modifier + "Down");
     }
 
     void clickPanel(const viewer::WindowPoint& point) const {
@@ -167,16 +175,20 @@ TEST_F(WindowTest, TheListChangesTheTechnique) {
 TEST_F(WindowTest, KeysChangeTheTechnique) {
     open({"--technique", "normal"});
     ASSERT_TRUE(shows(headless({"--technique", "normal"})));
-    display_->pressKey(keyOf("cone"));
+    choose("cone");
     EXPECT_TRUE(shows(headless({"--technique", "cone"})));
-    display_->pressKey(keyOf("linear"));
+    choose("linear");
     EXPECT_TRUE(shows(headless({"--technique", "linear"})));
+    // Up from the first is the last of the list.
+    choose("normal");
+    display_->pressKey("Up");
+    EXPECT_TRUE(shows(headless({"--technique", "reference"})));
     quit("Escape");
 }
 
 TEST_F(WindowTest, ShowsTheExactPicture) {
     open({"--technique", "normal"});
-    display_->pressKey(keyOf("reference"));
+    choose("reference");
     EXPECT_TRUE(shows(headless({"--technique", "reference"})));
     quit("q");
 }
@@ -186,7 +198,7 @@ TEST_F(WindowTest, SplitsAndComparesWithTheExactHits) {
     const Picture cone = headless({"--technique", "cone"});
     open({"--technique", "normal"});
     ASSERT_TRUE(shows(normal));
-    display_->pressKey("shift+" + keyOf("cone"));
+    choose("cone", "shift+");
     display_->pressKey("m");  // side by side: each technique in half of the width
     ASSERT_TRUE(waitUntil(
         [&] { return correlation(crop(shown(), kMiddle), crop(normal, kMiddle)) < kDifferent; }));
@@ -226,7 +238,7 @@ TEST_F(WindowTest, SavesThePictureWithoutOverwriting) {
     display_->pressKey("s");
     ASSERT_TRUE(isSaved("view-001.png"));
     const std::string first = readBytes(folder_.file("view-001.png"));
-    display_->pressKey(keyOf("relief"));
+    choose("relief");
     ASSERT_TRUE(shows(headless({"--technique", "relief"})));
     display_->pressKey("s");
     ASSERT_TRUE(isSaved("view-002.png"));
@@ -246,9 +258,9 @@ TEST_F(WindowTest, WithoutTheConeChannelTheOtherTechniquesStay) {
     corner_ = *corner;
     const Picture normal = headless({"--technique", "normal"});
     ASSERT_TRUE(shows(normal));
-    display_->pressKey(keyOf("cone"));
+    choose("cone");
     EXPECT_TRUE(waitUntil([&] { return contrast(crop(shown(), kMiddle)) < 0.02; }));
-    display_->pressKey(keyOf("normal"));
+    choose("normal");
     EXPECT_TRUE(shows(normal));
     quit("q");
 }

@@ -1,18 +1,18 @@
 // Linear search: equal steps along the ray until one lies in the solid.
-#include "relievo/maps.glsl"
-#include "relievo/ray.glsl"
+#include "relievo/search/bracket.glsl"
 
-// Looks at t = end·i/count for i = 1 … count. True when a sample lies in the solid: `inside` is its t
-// and `outside` that of the sample before. Features between two samples are missed.
-bool reliefMarch(ReliefRay ray, int count, out float outside, out float inside, inout int steps) {
-    outside = 0.0;
-    inside = 0.0;
+// Looks at t = end·i/count for i = 1 … count. True when a sample lies in the solid: the bracket is that
+// sample and the one before. Features between two samples are missed.
+bool reliefMarch(ReliefRay ray, int count, out ReliefBracket bracket, inout int steps) {
+    bracket = ReliefBracket(0.0, 0.0, 0.0, 0.0);
     for (int i = 1; i <= count; ++i) {
         ++steps;
-        inside = ray.end * (float(i) / float(count));
-        vec3 point = reliefPoint(ray, inside);
-        if (point.z >= reliefDepth(point.xy)) return true;
-        outside = inside;
+        bracket.inside = ray.end * (float(i) / float(count));
+        vec3 point = reliefPoint(ray, bracket.inside);
+        bracket.below = point.z - reliefDepth(point.xy);
+        if (bracket.below >= 0.0) return true;
+        bracket.outside = bracket.inside;
+        bracket.above = -bracket.below;
     }
     return false;
 }

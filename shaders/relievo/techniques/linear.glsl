@@ -6,8 +6,9 @@
 uniform int relievoLinearSteps;
 
 ReliefHit searchRelief(ReliefRay ray) {
-    float outside, inside;
+    ReliefBracket bracket;
     int steps = 0;
-    bool found = reliefMarch(ray, relievoLinearSteps, outside, inside, steps);
-    return reliefResult(ray, inside, found ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
+    bool found = reliefMarch(ray, relievoLinearSteps, bracket, steps);
+    return reliefResult(ray, bracket.inside,
+                        found ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
 }

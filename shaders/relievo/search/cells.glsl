@@ -1,0 +1,114 @@
+// The walk of a ray over the bilinear cells of the map, and the first hit in one of them.
+//
+// Cell (i,j) is the patch between the texel centres i and i+1, j and j+1. The walk keeps it as a pair
+// of integers that only ever moves forward along the ray: to find the cell again from a point near its
+// border may give the cell before, for ever. Texel coordinates count from the first cell, so that a
+// ray that begins far from the map's first tile is as accurate as one that begins in it.
+#include "relievo/maps.glsl"
+#include "relievo/ray.glsl"
+
+// Later than any ray ends.
+const float kReliefNever = 1e30;
+
+struct ReliefWalk {
+    vec2 start;     // the ray's origin in texels from the first cell, in [0,1)² but in a clamped map
+    vec2 speed;     // texels per unit of t
+    ivec2 first;    // the first cell, counted from the tile of the origin
+    ivec2 advance;  // cells from the first to the current one
+    float t;        // where the ray enters the current cell
+    float exit;     // where it leaves that cell, ≥ t
+};
+
+ivec2 reliefWalkCell(ReliefWalk walk) { return walk.first + walk.advance; }
+
+// The t at which the walk's ray leaves the cells within `block` of the current one.
+vec2 reliefBlockExits(ReliefWalk walk, int block) {
+    bvec2 forward = greaterThan(walk.speed, vec2(0.0));
+    bvec2 still = equal(walk.speed, vec2(0.0));
+    ivec2 border = walk.advance + mix(ivec2(-block), ivec2(block + 1), forward);
+#ifdef RELIEVO_WRAP_CLAMP
+    // Outside a clamped tile one cell reaches to infinity.
+    ivec2 last = textureSize(relievoDepthMap, 0) - 1;
+    ivec2 cell = reliefWalkCell(walk);
+    bvec2 outside = mix(lessThan(cell, ivec2(0)), greaterThanEqual(cell, last), forward);
+    still = bvec2(still.x || outside.x, still.y || outside.y);
+#endif
+    vec2 exits = (vec2(border) - walk.start) / mix(walk.speed, vec2(1.0), still);
+    return mix(exits, vec2(kReliefNever), still);
+}
+
+void reliefFindExit(inout ReliefWalk walk) {
+    vec2 exits = reliefBlockExits(walk, 0);
+    walk.exit = max(min(exits.x, exits.y), walk.t);
+}
+
+ReliefWalk reliefBeginWalk(ReliefRay ray) {
+    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+#ifdef RELIEVO_WRAP_CLAMP
+    vec2 tile = vec2(0.0);
+#else
+    // An even one: a mirrored map looks the same from there.
+    vec2 tile = 2.0 * floor(0.5 * ray.origin.xy);
+#endif
+    vec2 texels = (ray.origin.xy - tile) * size - 0.5;
+    vec2 cell = floor(texels);
+#ifdef RELIEVO_WRAP_CLAMP
+    cell = clamp(cell, vec2(-1.0), size - 1.0);
+#endif
+    ReliefWalk walk = ReliefWalk(texels - cell, ray.direction.xy * size, ivec2(cell), ivec2(0), 0.0,
+                                 0.0);
+    reliefFindExit(walk);
+    return walk;
+}
+
+// On to the next cell.
+void reliefStepWalk(inout ReliefWalk walk) {
+    vec2 exits = reliefBlockExits(walk, 0);
+    walk.t = walk.exit;
+    ivec2 along = ivec2(sign(walk.speed));
+    walk.advance += exits.x <= exits.y ? ivec2(along.x, 0) : ivec2(0, along.y);
+    reliefFindExit(walk);
+}
+
+// On to the cell of the ray's point at t, never back.
+void reliefJumpWalk(inout ReliefWalk walk, float t) {
+    ivec2 target = ivec2(floor(walk.start + t * walk.speed));
+    bvec2 forward = greaterThan(walk.speed, vec2(0.0));
+    ivec2 advance = mix(min(target, walk.advance), max(target, walk.advance), forward);
+    walk.advance = mix(advance, walk.advance, equal(walk.speed, vec2(0.0)));
+#ifdef RELIEVO_WRAP_CLAMP
+    ivec2 last = textureSize(relievoDepthMap, 0) - 1;
+    walk.advance = clamp(reliefWalkCell(walk), ivec2(-1), last) - walk.first;
+#endif
+    walk.t = t;
+    reliefFindExit(walk);
+}
+
+// The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
+// there; kReliefNever when it leaves the cell above it, or up to a rounding below. A ray that enters
+// below the surface, which rounding may cause, meets it at once.
+float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
+    ++reliefFetchCount;
+    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+    // In the order of textureGather: (0,1), (1,1), (1,0), (0,0).
+    vec4 depths = textureGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / size);
+    vec2 place = clamp(walk.start + walk.t * walk.speed - vec2(walk.advance), 0.0, 1.0);
+    vec2 slope = vec2(depths.z, depths.x) - depths.w;
+    float twist = (depths.y - depths.x) - slope.x;
+
+    // z − D along the ray as q0 + q1·s + q2·s², s counted from the entry.
+    vec2 gradient = slope + twist * place.yx;
+    float depth = depths.w + slope.x * place.x + gradient.y * place.y;
+    float q0 = ray.origin.z + walk.t * ray.direction.z - depth;
+    float q1 = ray.direction.z - dot(gradient, walk.speed);
+    float q2 = -twist * walk.speed.x * walk.speed.y;
+    if (q0 >= 0.0) return walk.t;
+    float discriminant = q1 * q1 - 4.0 * q2 * q0;
+    if (discriminant < 0.0) return kReliefNever;
+    // The first positive root in the form in which nothing cancels.
+    float root = sqrt(discriminant);
+    float numerator = q1 >= 0.0 ? -2.0 * q0 : root - q1;
+    float denominator = q1 >= 0.0 ? q1 + root : 2.0 * q2;
+    float s = denominator > 0.0 ? numerator / denominator : kReliefNever;
+    return walk.t + s <= walk.exit ? walk.t + s : kReliefNever;
+}
