@@ -15,7 +15,6 @@
 #include "bench/mean_ratio.h"
 #include "commands/progress.h"
 #include "preprocess/conservative_cones.h"
-#include "preprocess/depth_pyramid.h"
 #include "preprocess/quick_cones.h"
 #include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
@@ -27,6 +26,7 @@
 #include "reference/relaxed_search.h"
 #include "reference/relief_search.h"
 #include "reference/roof_search.h"
+#include "textures/depth_pyramid.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::bench {
@@ -79,8 +79,8 @@ MapSearchResult stepAndSolve(const DepthMap& relief, const Plane& ratio, const D
 }
 
 PreparedSearch preparePyramid(const DepthMap& relief) {
-    const auto pyramid = std::make_shared<const preprocess::DepthPyramid>(
-        preprocess::buildDepthPyramid(reference::leastDepthsOfCells(relief)));
+    const auto pyramid = std::make_shared<const textures::DepthPyramid>(
+        textures::buildDepthPyramid(textures::leastDepthsOfCells(relief)));
     return {[pyramid](const DepthMap& map, const DescendingRay& ray) {
                 return reference::searchByPyramid(map, pyramid->levels, ray);
             },

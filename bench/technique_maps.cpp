@@ -9,13 +9,12 @@ preprocess::ReliefPlan planFor(const materials::Technique& technique) {
     plan.maps = {"depth", "derivative"};
     for (const std::string_view name : technique.maps) {
         const materials::ReliefMapFormat& format = materials::reliefMapFormat(name);
-        if (format.cones.empty()) {
-            if (!plan.has(name))
-                plan.maps.emplace_back(name);
-            continue;
+        if (!format.cones.empty()) {
+            plan.maps.emplace_back("cone");
+            plan.cone = format.cones;
+        } else if (format.form != materials::ReliefMapForm::Pyramid && !plan.has(name)) {
+            plan.maps.emplace_back(name);
         }
-        plan.maps.emplace_back("cone");
-        plan.cone = format.cones;
     }
     return plan;
 }

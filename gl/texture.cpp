@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -40,7 +41,7 @@ void deleteTexture(GLuint id) noexcept {
 }
 
 Texture::Texture(int width, int height, GLenum internalFormat, int layers, int levels)
-    : width_(width), height_(height), layers_(layers) {
+    : width_(width), height_(height), layers_(layers), levels_(levels) {
     checkSize(width, height, layers);
     name_ = ObjectName<deleteTexture>(createTexture(layers > 0));
     if (layers > 0)
@@ -57,27 +58,31 @@ Texture::Texture(int width, int height, GLenum internalFormat, int layers, int l
     setSampling(GL_CLAMP_TO_EDGE, GL_NEAREST);
 }
 
-void Texture::upload(std::span<const float> texels, int channels, int layer) {
+void Texture::upload(std::span<const float> texels, int channels, int layer, int level) {
     constexpr std::array<GLenum, 4> kFormats = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     if (channels < 1 || channels > 4)
         throw GlError(fmt::format("a texel has 1 to 4 channels, not {}", channels));
-    const std::size_t expected = static_cast<std::size_t>(width_) *
-                                 static_cast<std::size_t>(height_) *
+    if (layer < 0 || layer >= (layers_ > 0 ? layers_ : 1))
+        throw GlError(fmt::format("a texture of {} layers has no layer {}", layers_, layer));
+    if (level < 0 || level >= levels_)
+        throw GlError(fmt::format("a texture of {} levels has no level {}", levels_, level));
+    const int width = std::max(width_ >> level, 1);
+    const int height = std::max(height_ >> level, 1);
+    const std::size_t expected = static_cast<std::size_t>(width) *
+                                 static_cast<std::size_t>(height) *
                                  static_cast<std::size_t>(channels);
     if (texels.size() != expected)
         throw GlError(
             fmt::format("a texture of {} x {} texels with {} channels takes {} values, not {}",
-                        width_, height_, channels, expected, texels.size()));
-    if (layer < 0 || layer >= (layers_ > 0 ? layers_ : 1))
-        throw GlError(fmt::format("a texture of {} layers has no layer {}", layers_, layer));
+                        width, height, channels, expected, texels.size()));
 
     const GLenum format = kFormats[channels - 1];
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (layers_ > 0)
-        glTextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1, format, GL_FLOAT,
+        glTextureSubImage3D(id(), level, 0, 0, layer, width, height, 1, format, GL_FLOAT,
                             texels.data());
     else
-        glTextureSubImage2D(id(), 0, 0, 0, width_, height_, format, GL_FLOAT, texels.data());
+        glTextureSubImage2D(id(), level, 0, 0, width, height, format, GL_FLOAT, texels.data());
 }
 
 void Texture::setSampling(GLenum wrap, GLenum filter) {

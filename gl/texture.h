@@ -21,10 +21,10 @@ class Texture {
     /// that the driver refuses.
     Texture(int width, int height, GLenum internalFormat, int layers = 0, int levels = 1);
 
-    /// Uploads level 0 of one layer from tightly packed rows, the first row being v = 0 (the top
+    /// Uploads one level of one layer from tightly packed rows, the first row being v = 0 (the top
     /// of the picture). `channels` is 1 to 4 floats a texel. Throws GlError when `texels` does not
-    /// hold width·height·channels values or there is no such layer.
-    void upload(std::span<const float> texels, int channels, int layer = 0);
+    /// hold as many values as the level's texels have channels, or there is no such layer or level.
+    void upload(std::span<const float> texels, int channels, int layer = 0, int level = 0);
     /// Sets the wrap mode of both axes (GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE) and the
     /// filter (GL_LINEAR or GL_NEAREST; only level 0 is sampled).
     void setSampling(GLenum wrap, GLenum filter);
@@ -40,6 +40,7 @@ class Texture {
     int width_ = 0;
     int height_ = 0;
     int layers_ = 0;
+    int levels_ = 0;
 };
 
 }  // namespace relievo::gl

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 #include <vector>
 
+#include "textures/depth_pyramid.h"
 #include "textures/input_error.h"
 #include "textures/roof_layers.h"
 
@@ -17,13 +21,67 @@ constexpr std::string_view kDerivativeChannels[] = {"dx", "dy"};
 constexpr std::string_view kConeChannels[] = {"cone"};
 constexpr std::string_view kRoofChannels[] = {"roof", "ratio"};
 
+constexpr std::string_view kVolumeChannels[] = {"volume"};
+constexpr std::string_view kExtremaChannels[] = {"dmin", "dmax"};
+constexpr std::string_view kCylinderChannels[] = {"cylinder"};
+
+// What belongs to its texel is not filtered: between two cones neither is valid, let alone their
+// mean.
 constexpr ReliefMapFormat kFormats[] = {
-    {"depth", "relievoDepthMap", kDepthChannels, GL_R32F, GL_LINEAR},
-    {"derivative", "relievoDerivativeMap", kDerivativeChannels, GL_RG32F, GL_LINEAR},
-    // A cone belongs to its texel: between two of them neither is valid, let alone their mean.
-    {"cone", "relievoConeMap", kConeChannels, GL_R32F, GL_NEAREST, false, "conservative"},
-    {"relaxed-cone", "relievoConeMap", kConeChannels, GL_R32F, GL_NEAREST, false, "relaxed"},
-    {"roof", "relievoRoofMap", kRoofChannels, GL_RG32F, GL_NEAREST, true, "roof"},
+    {.name = "depth",
+     .sampler = "relievoDepthMap",
+     .channels = kDepthChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_LINEAR},
+    {.name = "derivative",
+     .sampler = "relievoDerivativeMap",
+     .channels = kDerivativeChannels,
+     .internalFormat = GL_RG32F,
+     .filter = GL_LINEAR},
+    {.name = "cone",
+     .sampler = "relievoConeMap",
+     .channels = kConeChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_NEAREST,
+     .cones = "conservative"},
+    {.name = "relaxed-cone",
+     .sampler = "relievoConeMap",
+     .channels = kConeChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_NEAREST,
+     .cones = "relaxed"},
+    {.name = "roof",
+     .sampler = "relievoRoofMap",
+     .channels = kRoofChannels,
+     .internalFormat = GL_RG32F,
+     .filter = GL_NEAREST,
+     .form = ReliefMapForm::Sectors,
+     .cones = "roof",
+     .number = {"relievo:block", "relievoRoofBlock", true, 1.0}},
+    {.name = "pyramid",
+     .sampler = "relievoPyramidMap",
+     .channels = kDepthChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_NEAREST,
+     .form = ReliefMapForm::Pyramid},
+    {.name = "volume",
+     .sampler = "relievoVolumeMap",
+     .channels = kVolumeChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_NEAREST,
+     .form = ReliefMapForm::Slices,
+     .number = {"relievo:volume-scale", "relievoVolumeScale", false, 0.1}},
+    {.name = "extrema",
+     .sampler = "relievoExtremaMap",
+     .channels = kExtremaChannels,
+     .internalFormat = GL_RG32F,
+     .filter = GL_NEAREST,
+     .number = {"relievo:reach", "relievoReach", true, 4.0}},
+    {.name = "cylinder",
+     .sampler = "relievoCylinderMap",
+     .channels = kCylinderChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_NEAREST},
 };
 
 // Unlimited cones are infinite in memory, which a shader would turn into NaN (∞·0). This is as
@@ -82,10 +140,7 @@ std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat
     return planes;
 }
 
-std::vector<std::vector<const textures::Plane*>> ReliefMaps::layersOf(
-    const ReliefMapFormat& format) const {
-    if (!format.hasSectors)
-        return {channelsOf(format)};
+std::vector<std::vector<const textures::Plane*>> ReliefMaps::sectors() const {
     std::vector<std::vector<const textures::Plane*>> layers;
     try {
         for (const textures::RoofLayer& layer : textures::roofLayersOf(maps_).layers)
@@ -93,6 +148,20 @@ std::vector<std::vector<const textures::Plane*>> ReliefMaps::layersOf(
     } catch (const textures::InputError& error) {
         throw textures::InputError(fmt::format("{}: {}", name_, error.what()));
     }
+    return layers;
+}
+
+std::vector<std::vector<const textures::Plane*>> ReliefMaps::layersOf(
+    const ReliefMapFormat& format) const {
+    std::vector<std::vector<const textures::Plane*>> layers;
+    if (format.form == ReliefMapForm::Sectors)
+        layers = sectors();
+    else if (format.form == ReliefMapForm::Slices)
+        while (const textures::Plane* slice =
+                   maps_.find(fmt::format("{}{}", format.channels.front(), layers.size())))
+            layers.push_back({slice});
+    else
+        layers.push_back(channelsOf(format));
     if (layers.empty())
         throw missing(format, format.channels.front());
     return layers;
@@ -108,19 +177,60 @@ void ReliefMaps::require(std::string_view mapName) const {
     static_cast<void>(layersOf(reliefMapFormat(mapName)));
 }
 
+double ReliefMaps::number(std::string_view mapName) const {
+    const ReliefMapNumber& number = reliefMapFormat(mapName).number;
+    const auto found = maps_.attributes.find(std::string(number.attribute));
+    if (found == maps_.attributes.end())
+        return number.otherwise;
+    const std::string& text = found->second;
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool isWhole = std::nearbyint(value) == value;
+    if (error != std::errc() || stop != text.data() + text.size() || !(value > 0.0) ||
+        !std::isfinite(value) || (number.isInteger && !isWhole))
+        throw textures::InputError(
+            fmt::format("{}: its attribute '{}' is '{}', expected {} above 0", name_,
+                        number.attribute, text, number.isInteger ? "a whole number" : "a number"));
+    return value;
+}
+
 const gl::Texture& ReliefMaps::texture(std::string_view mapName) {
     const ReliefMapFormat& format = reliefMapFormat(mapName);
     if (const auto found = textures_.find(format.name); found != textures_.end())
         return found->second;
+    gl::Texture texture =
+        format.form == ReliefMapForm::Pyramid ? uploadPyramid(format) : uploadLayers(format);
+    return textures_.emplace(format.name, std::move(texture)).first->second;
+}
+
+gl::Texture ReliefMaps::uploadLayers(const ReliefMapFormat& format) const {
     const auto layers = layersOf(format);
     const int count = static_cast<int>(layers.size());
-    gl::Texture texture(maps_.width(), maps_.height(), format.internalFormat,
-                        format.hasSectors ? count : 0);
+    const bool isArray = format.form != ReliefMapForm::Plane;
+    gl::Texture texture(maps_.width(), maps_.height(), format.internalFormat, isArray ? count : 0);
     for (int layer = 0; layer < count; ++layer)
         texture.upload(interleave(layers[static_cast<std::size_t>(layer)]),
                        static_cast<int>(format.channels.size()), layer);
     texture.setSampling(glWrapMode(maps_.wrap), format.filter);
-    return textures_.emplace(format.name, std::move(texture)).first->second;
+    return texture;
+}
+
+gl::Texture ReliefMaps::uploadPyramid(const ReliefMapFormat& format) const {
+    const textures::Plane cells = textures::leastDepthsOfCells(textures::depthMapOf(maps_));
+    textures::Plane padded(static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells.width))),
+                           static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells.height))),
+                           1.0f);
+    for (int j = 0; j < cells.height; ++j)
+        for (int i = 0; i < cells.width; ++i)
+            padded.at(i, j) = cells.at(i, j);
+    const auto levels = textures::buildDepthPyramid(padded).levels;
+    gl::Texture texture(padded.width, padded.height, format.internalFormat, 0,
+                        static_cast<int>(levels.size()));
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        texture.upload(levels[level].texels, 1, 0, static_cast<int>(level));
+    texture.setSampling(GL_CLAMP_TO_EDGE, format.filter);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    return texture;
 }
 
 GLenum glWrapMode(textures::WrapMode wrap) noexcept {

@@ -13,6 +13,28 @@
 
 namespace relievo::materials {
 
+/// What a map is on the GPU.
+enum class ReliefMapForm {
+    Plane,  ///< a sampler2D with the map's channels
+    /// A sampler2DArray with a layer for each sector of ray directions, whose channels have its
+    /// number (none when there is one sector): roof0, ratio0, roof1 …
+    Sectors,
+    /// A sampler2DArray with a layer for each slice of depth, whose channel has its number.
+    Slices,
+    /// A sampler2D whose levels are the pyramid of least depths of the map's cells, made of the
+    /// channel `depth` when it is uploaded. Sizes are those of the map rounded up to powers of two,
+    /// so that a node of any level is a texel; texels beyond the map are 1.
+    Pyramid,
+};
+
+/// A number that a search needs besides the texels of a map, kept in the map file.
+struct ReliefMapNumber {
+    std::string_view attribute;  ///< "relievo:block"; empty: there is none
+    std::string_view uniform;    ///< in the shader library
+    bool isInteger = false;
+    double otherwise = 0.0;  ///< what it is for a file without the attribute
+};
+
 /// How one map of a relief goes to the GPU. Adding a map kind is an entry in relief_maps.cpp.
 struct ReliefMapFormat {
     std::string_view name;                       ///< "depth", "derivative", "cone", "roof"
@@ -20,12 +42,11 @@ struct ReliefMapFormat {
     std::span<const std::string_view> channels;  ///< of the map set, in the order r, g, b, a
     GLenum internalFormat;
     GLenum filter;
-    /// A sampler2DArray with a layer for each sector of ray directions, whose channels have its
-    /// number (none when there is one sector): roof0, ratio0, roof1 … Otherwise a sampler2D.
-    bool hasSectors = false;
+    ReliefMapForm form = ReliefMapForm::Plane;
     /// The kind of cones that the channels hold, a word of relievo-bake relief --cone; "" for maps
     /// without cones.
     std::string_view cones = "";
+    ReliefMapNumber number = {};
 };
 
 /// All maps that can go to the GPU.
@@ -46,6 +67,9 @@ class ReliefMaps {
     /// The texture of one map. Throws textures::InputError that names the channel the set lacks, or
     /// the kind of cones that it has instead of the one needed.
     const gl::Texture& texture(std::string_view mapName);
+    /// The number that belongs to a map which has one. Throws textures::InputError when the file
+    /// has something else, or 0 or less.
+    [[nodiscard]] double number(std::string_view mapName) const;
     /// Throws what `texture` would, without uploading anything.
     void require(std::string_view mapName) const;
 
@@ -55,8 +79,11 @@ class ReliefMaps {
     /// The planes of each array layer of a map, or of its only one.
     [[nodiscard]] std::vector<std::vector<const textures::Plane*>> layersOf(
         const ReliefMapFormat& format) const;
+    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> sectors() const;
     [[nodiscard]] std::vector<const textures::Plane*> channelsOf(
         const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture uploadLayers(const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture uploadPyramid(const ReliefMapFormat& format) const;
     [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
                                                std::string_view channel) const;
 

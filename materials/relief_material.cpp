@@ -8,7 +8,6 @@
 
 #include "gl/context.h"
 #include "textures/input_error.h"
-#include "textures/roof_layers.h"
 
 namespace relievo::materials {
 namespace {
@@ -29,8 +28,10 @@ GLint uniformLocation(GLuint program, std::string_view name) {
 
 ReliefMaterial::ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique)
     : maps_(std::move(maps)), technique_(&technique) {
-    for (const std::string_view map : technique.maps)
+    for (const std::string_view map : technique.maps) {
         maps_->require(map);
+        static_cast<void>(maps_->number(map));
+    }
     maps_->require("derivative");
     for (const TechniqueParameter& parameter : technique.parameters)
         values_.push_back(parameter.defaultValue);
@@ -66,7 +67,7 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         if (maps.encoding == textures::ConeEncoding::Radius)
             result.push_back({"RELIEVO_CONE_RADIUS", "1"});
     }
-    if (reads("roof")) {
+    if (reads("roof") || reads("pyramid")) {
         if (maps.wrap == textures::WrapMode::Mirror)
             result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
         if (maps.wrap == textures::WrapMode::Clamp)
@@ -77,10 +78,19 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
 
 GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     GLuint unit = firstUnit;
+    const auto setNumber = [&](std::string_view uniform, bool isInteger, double value) {
+        const GLint location = uniformLocation(program, uniform);
+        if (isInteger)
+            glProgramUniform1i(program, location, static_cast<GLint>(value));
+        else
+            glProgramUniform1f(program, location, static_cast<GLfloat>(value));
+    };
     const auto bindMap = [&](std::string_view name) {
-        glProgramUniform1i(program, uniformLocation(program, reliefMapFormat(name).sampler),
-                           static_cast<GLint>(unit));
+        const ReliefMapFormat& format = reliefMapFormat(name);
+        setNumber(format.sampler, true, unit);
         maps_->texture(name).bind(unit++);
+        if (!format.number.attribute.empty())
+            setNumber(format.number.uniform, format.number.isInteger, maps_->number(name));
     };
     for (const std::string_view map : technique_->maps)
         bindMap(map);
@@ -89,16 +99,9 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
 
     for (std::size_t k = 0; k < values_.size(); ++k) {
         const TechniqueParameter& info = technique_->parameters[k];
-        const GLint location = uniformLocation(program, info.uniform);
-        if (info.isInteger)
-            glProgramUniform1i(program, location, static_cast<GLint>(values_[k]));
-        else
-            glProgramUniform1f(program, location, static_cast<GLfloat>(values_[k]));
+        setNumber(info.uniform, info.isInteger, values_[k]);
     }
-    if (reads("roof"))
-        glProgramUniform1i(program, uniformLocation(program, "relievoRoofBlock"),
-                           textures::roofLayersOf(maps_->maps()).block);
-    glProgramUniform1f(program, uniformLocation(program, "relievoDepthScale"), depthScale);
+    setNumber("relievoDepthScale", false, static_cast<double>(depthScale));
     glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
                         glm::value_ptr(window));
     return unit;

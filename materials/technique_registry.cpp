@@ -15,6 +15,10 @@ constexpr std::string_view kDepthMaps[] = {"depth"};
 constexpr std::string_view kSlopeMaps[] = {"depth", "derivative"};
 constexpr std::string_view kConeMaps[] = {"depth", "cone"};
 constexpr std::string_view kRelaxedMaps[] = {"depth", "relaxed-cone"};
+constexpr std::string_view kVolumeMaps[] = {"depth", "volume"};
+constexpr std::string_view kExtremaMaps[] = {"depth", "extrema"};
+constexpr std::string_view kCylinderMaps[] = {"depth", "cylinder"};
+constexpr std::string_view kPyramidMaps[] = {"depth", "pyramid"};
 constexpr std::string_view kRoofMaps[] = {"depth", "roof"};
 
 // Parameters that several techniques take.
@@ -90,6 +94,17 @@ constexpr TechniqueParameter kConeParameters[] = {
 };
 constexpr TechniqueParameter kRelaxedParameters[] = {kConeSteps, kTolerance, binarySteps(10)};
 constexpr TechniqueParameter kRelaxedSecantParameters[] = {kConeSteps, kTolerance, secantSteps(5)};
+constexpr TechniqueParameter kSkipParameters[] = {
+    {"skip-steps", "relievoSkipSteps", "steps that a ray may take before it gives up", 1, 65536,
+     4096, true, true},
+    {"least-step", "relievoLeastStep", "texels that a ray goes where the map gives it nothing",
+     0.01, 16, 0.5, false, false},
+    binarySteps(10),
+};
+constexpr TechniqueParameter kPyramidParameters[] = {
+    {"pyramid-steps", "relievoPyramidSteps", "nodes that a ray may visit before it gives up", 1,
+     65536, 16384, true, true},
+};
 constexpr TechniqueParameter kExactParameters[] = {
     {"exact-steps", "relievoExactSteps", "cones and cells that a ray may cross before it gives up",
      1, 65536, 16384, true, true},
@@ -123,12 +138,20 @@ constexpr Technique kTechniques[] = {
      "relievo/techniques/relief.glsl", kDepthMaps, kReliefParameters},
     {"interval", "interval mapping", "Risser, Shah, Pattanaik 2006",
      "relievo/techniques/interval.glsl", kDepthMaps, kIntervalParameters},
+    {"sphere", "sphere tracing", "Donnelly 2005", "relievo/techniques/sphere.glsl", kVolumeMaps,
+     kSkipParameters},
+    {"safety-zones", "dilation and erosion", "Kolb, Rezk-Salama 2005",
+     "relievo/techniques/safety_zones.glsl", kExtremaMaps, kSkipParameters},
+    {"cylinder", "cylinder tracing", "Baboud, Décoret 2006", "relievo/techniques/cylinder.glsl",
+     kCylinderMaps, kSkipParameters},
     {"cone", "cone tracing", "Dummer 2006", "relievo/techniques/cone.glsl", kConeMaps,
      kConeParameters},
     {"relaxed", "relaxed cones and binary search", "Policarpo, Oliveira 2007",
      "relievo/techniques/relaxed.glsl", kRelaxedMaps, kRelaxedParameters},
     {"relaxed-secant", "relaxed cones and secant search", "Policarpo, Oliveira 2007",
      "relievo/techniques/relaxed_secant.glsl", kRelaxedMaps, kRelaxedSecantParameters},
+    {"pyramid", "exact hits by a depth pyramid", "Oh, Ki, Lee 2006; Tevs, Ihrke, Seidel 2008",
+     "relievo/techniques/pyramid.glsl", kPyramidMaps, kPyramidParameters},
     {"exact", "exact hits by roof cones", "ours", "relievo/techniques/exact.glsl", kRoofMaps,
      kExactParameters},
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "preprocess/depth_pyramid.h"
 #include "preprocess/round_down.h"
+#include "textures/depth_pyramid.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -46,7 +46,7 @@ struct Axis {
 // The walk up the pyramid from one apex.
 class PyramidWalk {
   public:
-    PyramidWalk(const textures::DepthMap& map, const DepthPyramid& pyramid, int i, int j)
+    PyramidWalk(const textures::DepthMap& map, const textures::DepthPyramid& pyramid, int i, int j)
         : map_(map), pyramid_(pyramid), i_(i), j_(j), depth_(map.depth.at(i, j)) {}
 
     // The least bound on squared ratios, in texels per unit of depth.
@@ -108,7 +108,7 @@ class PyramidWalk {
     }
 
     const textures::DepthMap& map_;
-    const DepthPyramid& pyramid_;
+    const textures::DepthPyramid& pyramid_;
     int i_;
     int j_;
     double depth_;
@@ -119,7 +119,7 @@ class PyramidWalk {
 
 Plane buildQuickCones(const textures::DepthMap& map,
                       const std::function<void(std::size_t)>& advance) {
-    const DepthPyramid pyramid = buildDepthPyramid(map.depth);
+    const textures::DepthPyramid pyramid = textures::buildDepthPyramid(map.depth);
     Plane ratio(map.width(), map.height());
     tbb::parallel_for(0, map.height(), [&](int j) {
         for (int i = 0; i < map.width(); ++i) {

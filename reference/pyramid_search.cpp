@@ -99,15 +99,6 @@ class PyramidWalk {
 
 }  // namespace
 
-textures::Plane leastDepthsOfCells(const textures::DepthMap& relief) {
-    textures::Plane least(relief.width(), relief.height());
-    for (int j = 0; j < relief.height(); ++j)
-        for (int i = 0; i < relief.width(); ++i)
-            least.at(i, j) = std::min({relief.at(i, j), relief.at(i + 1, j), relief.at(i, j + 1),
-                                       relief.at(i + 1, j + 1)});
-    return least;
-}
-
 MapSearchResult searchByPyramid(const textures::DepthMap& relief,
                                 std::span<const textures::Plane> levels, const DescendingRay& ray) {
     if (relief.wrap != textures::WrapMode::Repeat)

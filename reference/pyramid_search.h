@@ -8,16 +8,12 @@
 
 namespace relievo::reference {
 
-/// The least depth of each bilinear cell of `relief`; cell (i,j), between texel centres i and i+1,
-/// at texel (i,j): the finest level of the pyramid.
-textures::Plane leastDepthsOfCells(const textures::DepthMap& relief);
-
 /// Exact search in a pyramid of least depths (Oh, Ki, Lee 2006; Tevs, Ihrke, Seidel 2008), over a
-/// relief that repeats: levels[k] holds the least depths of 2ᵏ×2ᵏ cells of the tile, sizes halved
-/// rounding up, the last level 1×1. A lookup of a node lets the ray go down to its least depth; if
-/// it leaves the node before that, it goes on in the next node, one level up where it also leaves
-/// the parent. In a single cell the quadratic is solved with one more lookup. Throws
-/// std::invalid_argument for another wrap mode.
+/// relief that repeats: levels[k] holds the least depths of 2ᵏ×2ᵏ cells of the tile
+/// (textures::buildDepthPyramid of textures::leastDepthsOfCells). A lookup of a node lets the ray
+/// go down to its least depth; if it leaves the node before that, it goes on in the next node, one
+/// level up where it also leaves the parent. In a single cell the quadratic is solved with one more
+/// lookup. Throws std::invalid_argument for another wrap mode.
 MapSearchResult searchByPyramid(const textures::DepthMap& relief,
                                 std::span<const textures::Plane> levels, const DescendingRay& ray);
 

@@ -27,9 +27,9 @@ std::vector<float> rampOf(int count) {
     return values;
 }
 
-std::vector<float> contentOf(const Texture& texture, GLenum format, int count) {
+std::vector<float> contentOf(const Texture& texture, GLenum format, int count, int level = 0) {
     std::vector<float> values(static_cast<std::size_t>(count));
-    glGetTextureImage(texture.id(), 0, format, GL_FLOAT,
+    glGetTextureImage(texture.id(), level, format, GL_FLOAT,
                       static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
     return values;
 }
@@ -55,6 +55,21 @@ TEST_P(TextureTest, LayersAreApart) {
     EXPECT_THROW(texture.upload(std::vector<float>(4), 1, -1), GlError);
 }
 
+TEST_P(TextureTest, LevelsHalveRoundingDown) {
+    Texture texture(5, 3, GL_R32F, 0, 3);
+    const int counts[] = {15, 2, 1};
+    for (int level = 0; level < 3; ++level)
+        texture.upload(std::vector<float>(static_cast<std::size_t>(counts[level]),
+                                          static_cast<float>(level + 1)),
+                       1, 0, level);
+    for (int level = 0; level < 3; ++level)
+        EXPECT_THAT(contentOf(texture, GL_RED, counts[level], level),
+                    testing::Each(static_cast<float>(level + 1)));
+    EXPECT_THROW(texture.upload(std::vector<float>(3), 1, 0, 1), GlError);
+    EXPECT_THROW(texture.upload(std::vector<float>(1), 1, 0, 3), GlError);
+    EXPECT_THROW(texture.upload(std::vector<float>(1), 1, 0, -1), GlError);
+}
+
 TEST_P(TextureTest, WrongUploadsAreErrorsWithTheNumbers) {
     Texture texture(5, 3, GL_R32F);
     EXPECT_THAT([&] { texture.upload(rampOf(14), 1); },
@@ -64,6 +79,7 @@ TEST_P(TextureTest, WrongUploadsAreErrorsWithTheNumbers) {
     EXPECT_THROW(texture.upload({}, 0), GlError);
     EXPECT_THROW(texture.upload(rampOf(75), 5), GlError);
     EXPECT_THROW(texture.upload(rampOf(15), 1, 1), GlError);
+    EXPECT_THROW(texture.upload(rampOf(2), 1, 0, 1), GlError);
 }
 
 TEST_P(TextureTest, RefusedSizesAndFormatsAreErrors) {

@@ -44,7 +44,8 @@ TEST_F(ReliefMaterialTest, EveryTechniqueBindsToBothPrograms) {
             SCOPED_TRACE(std::string(technique.name) + " in " + std::string(fragment));
             // Each map to a unit of its own, and that of the shading once.
             std::set<std::string_view> maps(technique.maps.begin(), technique.maps.end());
-            textures::MapSet set = flatMaps({"depth", "dx", "dy", "cone", "roof", "ratio"});
+            textures::MapSet set = flatMaps({"depth", "dx", "dy", "cone", "roof", "ratio", "dmin",
+                                             "dmax", "cylinder", "volume0", "volume1"});
             set.attributes["relievo:cone"] =
                 maps.contains("relaxed-cone") ? "relaxed" : "conservative";
             const ReliefMaterial material(std::make_shared<ReliefMaps>(set, "x.exr"), technique);
@@ -101,6 +102,45 @@ TEST_F(ReliefMaterialTest, RoofConesGoToALayerForEachSector) {
     set.channels.pop_back();
     ReliefMaps broken(set, "broken.exr");
     EXPECT_THROW(broken.texture("roof"), textures::InputError);
+}
+
+TEST_F(ReliefMaterialTest, NumbersOfAMapComeFromItsAttributes) {
+    textures::MapSet set = flatMaps({"depth", "dx", "dy", "dmin", "dmax", "volume0"});
+    EXPECT_EQ(ReliefMaps(set, "x.exr").number("extrema"), 4.0);
+    set.attributes["relievo:reach"] = "7";
+    set.attributes["relievo:volume-scale"] = "0.25";
+    EXPECT_EQ(ReliefMaps(set, "x.exr").number("extrema"), 7.0);
+    EXPECT_EQ(ReliefMaps(set, "x.exr").number("volume"), 0.25);
+    for (const char* wrong : {"", "many", "0", "-1", "1.5", "inf"}) {
+        set.attributes["relievo:reach"] = wrong;
+        try {
+            ReliefMaterial(std::make_shared<ReliefMaps>(set, "x.exr"),
+                           findTechnique("safety-zones"));
+            FAIL() << "'" << wrong << "' was accepted";
+        } catch (const textures::InputError& error) {
+            EXPECT_THAT(error.what(), AllOf(HasSubstr("x.exr"), HasSubstr("relievo:reach")));
+        }
+    }
+}
+
+TEST_F(ReliefMaterialTest, ThePyramidHoldsTheLeastDepthsOfItsNodes) {
+    textures::MapSet set = flatMaps({"dx", "dy"});
+    textures::Plane depth(3, 2, 0.75f);
+    depth.at(2, 1) = 0.25f;
+    set.channels = {{"depth", depth}};
+    set.wrap = textures::WrapMode::Clamp;
+    ReliefMaps maps(set, "x.exr");
+    const gl::Texture& pyramid = maps.texture("pyramid");
+    EXPECT_EQ(pyramid.width(), 4);
+    EXPECT_EQ(pyramid.height(), 2);
+    const std::vector<std::vector<float>> levels = {
+        {0.75f, 0.25f, 0.25f, 1.0f, 0.75f, 0.25f, 0.25f, 1.0f}, {0.25f, 0.25f}, {0.25f}};
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        std::vector<float> texels(levels[level].size());
+        glGetTextureImage(pyramid.id(), static_cast<GLint>(level), GL_RED, GL_FLOAT,
+                          static_cast<GLsizei>(texels.size() * sizeof(float)), texels.data());
+        EXPECT_EQ(texels, levels[level]) << level;
+    }
 }
 
 TEST_F(ReliefMaterialTest, ParametersKeepTheirRanges) {

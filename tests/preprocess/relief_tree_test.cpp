@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "preprocess/depth_pyramid.h"
 #include "tests/preprocess/small_reliefs.h"
+#include "textures/depth_pyramid.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::preprocess {
@@ -24,7 +24,7 @@ Plane noise(int width, int height) {
 TEST(DepthPyramid, HoldsTheLeastDepthOfEverySquare) {
     for (const auto& [width, height] : kSizes) {
         const Plane depth = noise(width, height);
-        const DepthPyramid pyramid = buildDepthPyramid(depth);
+        const textures::DepthPyramid pyramid = textures::buildDepthPyramid(depth);
         for (std::size_t k = 0; k < pyramid.levels.size(); ++k) {
             const Plane& level = pyramid.levels[k];
             Plane least(level.width, level.height, 2.0f);

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <random>
 
-#include "preprocess/depth_pyramid.h"
 #include "reference/bilinear_tracer.h"
 #include "reference/cone_search.h"
 #include "reference/pyramid_search.h"
@@ -18,6 +17,7 @@
 #include "reference/roof_search.h"
 #include "safe_maps.h"
 #include "textures/bilinear.h"
+#include "textures/depth_pyramid.h"
 
 namespace relievo::reference::test {
 namespace {
@@ -113,7 +113,7 @@ TEST(MapSearch, RoofsOfSmallerBlocksThanTheyClaimGiveWrongHits) {
 }
 
 Search pyramidSearch(const DepthMap& map) {
-    const auto levels = preprocess::buildDepthPyramid(leastDepthsOfCells(map)).levels;
+    const auto levels = textures::buildDepthPyramid(textures::leastDepthsOfCells(map)).levels;
     return [levels](const DepthMap& relief, const DescendingRay& ray) {
         return searchByPyramid(relief, levels, ray);
     };

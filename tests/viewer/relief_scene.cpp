@@ -11,6 +11,7 @@ namespace relievo::viewer {
 
 textures::MapSet bakeMaps(const textures::DepthMap& map, textures::ConeEncoding encoding) {
     preprocess::ReliefPlan plan;
+    plan.maps.insert(plan.maps.end(), {"extrema", "cylinder", "volume"});
     plan.guarantee = "texel";
     plan.encoding = encoding;
     textures::MapSet maps = preprocess::bakeRelief(map, plan);

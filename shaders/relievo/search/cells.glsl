@@ -6,6 +6,7 @@
 // ray that begins far from the map's first tile is as accurate as one that begins in it.
 #include "relievo/maps.glsl"
 #include "relievo/ray.glsl"
+#include "relievo/search/result.glsl"
 
 // Later than any ray ends.
 const float kReliefNever = 1e30;
@@ -21,11 +22,12 @@ struct ReliefWalk {
 
 ivec2 reliefWalkCell(ReliefWalk walk) { return walk.first + walk.advance; }
 
-// The t at which the walk's ray leaves the cells within `block` of the current one.
-vec2 reliefBlockExits(ReliefWalk walk, int block) {
+// The t at which the walk's ray leaves the cells from `before` before the current one to `after` after it,
+// along each axis.
+vec2 reliefSpanExits(ReliefWalk walk, ivec2 before, ivec2 after) {
     bvec2 forward = greaterThan(walk.speed, vec2(0.0));
     bvec2 still = equal(walk.speed, vec2(0.0));
-    ivec2 border = walk.advance + mix(ivec2(-block), ivec2(block + 1), forward);
+    ivec2 border = walk.advance + mix(-before, after + 1, forward);
 #ifdef RELIEVO_WRAP_CLAMP
     // Outside a clamped tile one cell reaches to infinity.
     ivec2 last = textureSize(relievoDepthMap, 0) - 1;
@@ -38,7 +40,7 @@ vec2 reliefBlockExits(ReliefWalk walk, int block) {
 }
 
 void reliefFindExit(inout ReliefWalk walk) {
-    vec2 exits = reliefBlockExits(walk, 0);
+    vec2 exits = reliefSpanExits(walk, ivec2(0), ivec2(0));
     walk.exit = max(min(exits.x, exits.y), walk.t);
 }
 
@@ -63,7 +65,7 @@ ReliefWalk reliefBeginWalk(ReliefRay ray) {
 
 // On to the next cell.
 void reliefStepWalk(inout ReliefWalk walk) {
-    vec2 exits = reliefBlockExits(walk, 0);
+    vec2 exits = reliefSpanExits(walk, ivec2(0), ivec2(0));
     walk.t = walk.exit;
     ivec2 along = ivec2(sign(walk.speed));
     walk.advance += exits.x <= exits.y ? ivec2(along.x, 0) : ivec2(0, along.y);
@@ -82,6 +84,13 @@ void reliefJumpWalk(inout ReliefWalk walk, float t) {
 #endif
     walk.t = t;
     reliefFindExit(walk);
+}
+
+// cell mod period, in [0, period).
+int reliefModulo(int cell, int period) {
+    int place = cell - period * int(floor(float(cell) / float(period)));
+    // The quotient may be rounded up or down to the next integer.
+    return place < 0 ? place + period : (place >= period ? place - period : place);
 }
 
 // The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
@@ -111,4 +120,11 @@ float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     float denominator = q1 >= 0.0 ? q1 + root : 2.0 * q2;
     float s = denominator > 0.0 ? numerator / denominator : kReliefNever;
     return walk.t + s <= walk.exit ? walk.t + s : kReliefNever;
+}
+
+// All that is left of a ray is free. At the bottom everything is solid, whatever rounding made of the
+// last cell.
+ReliefHit reliefAtEnd(ReliefRay ray, int steps) {
+    bool isBottom = reliefPoint(ray, ray.end).z >= 1.0 - 1e-6;
+    return reliefResult(ray, ray.end, isBottom ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
 }

@@ -8,7 +8,6 @@
 //
 // Error: float rounding. Cost: a lookup for every cone, a second one in every cell that is solved.
 #include "relievo/search/cells.glsl"
-#include "relievo/search/result.glsl"
 
 uniform sampler2DArray relievoRoofMap;  // roof and ratio of cell (i,j) at texel (i,j), a layer a sector
 uniform int relievoRoofBlock;           // cells around, or ahead of, a cell whose roof it has
@@ -28,16 +27,14 @@ int reliefRoofLayer(vec2 direction, int layers) {
 // which that texel sees the ray: cells of mirrored copies lie between the same two texels in reverse,
 // and the level cell before the first texel shares that texel's entry for rays into the tile.
 int reliefMirroredCell(int cell, int size, inout float direction) {
-    int period = 2 * size;
-    int place = cell - period * int(floor(float(cell) / float(period)));
-    place = place < 0 ? place + period : (place >= period ? place - period : place);
+    int place = reliefModulo(cell, 2 * size);
     if (place < size) return place;
-    if (place == period - 1) {
+    if (place == 2 * size - 1) {
         direction = abs(direction);
         return 0;
     }
     direction = -direction;
-    return period - 2 - place;
+    return 2 * size - 2 - place;
 }
 #endif
 
@@ -65,15 +62,8 @@ float reliefFreeUntil(ReliefRay ray, ReliefWalk walk, float z, float roof, float
     // reaches the roof.
     float cone = closing > 0.0 ? walk.t + ratio * gap / closing : kReliefNever;
     float under = ray.direction.z > 0.0 ? walk.t + gap / ray.direction.z : kReliefNever;
-    vec2 block = reliefBlockExits(walk, relievoRoofBlock);
+    vec2 block = reliefSpanExits(walk, ivec2(relievoRoofBlock), ivec2(relievoRoofBlock));
     return max(cone, min(under, min(block.x, block.y)));
-}
-
-// All that is left of a ray is free. At the bottom everything is solid, whatever rounding made of the
-// last cell.
-ReliefHit reliefAtEnd(ReliefRay ray, int steps) {
-    bool isBottom = reliefPoint(ray, ray.end).z >= 1.0 - 1e-6;
-    return reliefResult(ray, ray.end, isBottom ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
 }
 
 ReliefHit searchRelief(ReliefRay ray) {

@@ -1,13 +1,13 @@
-#include "preprocess/depth_pyramid.h"
+#include "textures/depth_pyramid.h"
 
 #include <algorithm>
 #include <cassert>
 
-namespace relievo::preprocess {
+namespace relievo::textures {
 namespace {
 
-textures::Plane halve(const textures::Plane& fine) {
-    textures::Plane coarse((fine.width + 1) / 2, (fine.height + 1) / 2);
+Plane halve(const Plane& fine) {
+    Plane coarse((fine.width + 1) / 2, (fine.height + 1) / 2);
     for (int j = 0; j < coarse.height; ++j) {
         const int top = 2 * j;
         const int bottom = std::min(top + 1, fine.height - 1);
@@ -23,7 +23,7 @@ textures::Plane halve(const textures::Plane& fine) {
 
 }  // namespace
 
-DepthPyramid buildDepthPyramid(const textures::Plane& depth) {
+DepthPyramid buildDepthPyramid(const Plane& depth) {
     assert(depth.width > 0 && depth.height > 0);
     DepthPyramid pyramid;
     pyramid.levels.push_back(depth);
@@ -32,4 +32,13 @@ DepthPyramid buildDepthPyramid(const textures::Plane& depth) {
     return pyramid;
 }
 
-}  // namespace relievo::preprocess
+Plane leastDepthsOfCells(const DepthMap& map) {
+    Plane least(map.width(), map.height());
+    for (int j = 0; j < map.height(); ++j)
+        for (int i = 0; i < map.width(); ++i)
+            least.at(i, j) =
+                std::min({map.at(i, j), map.at(i + 1, j), map.at(i, j + 1), map.at(i + 1, j + 1)});
+    return least;
+}
+
+}  // namespace relievo::textures
