@@ -122,6 +122,21 @@ const ReliefMapFormat& reliefMapFormat(std::string_view name) {
     return *found;
 }
 
+BakeWords bakeWordsFor(std::span<const std::string_view> mapNames) {
+    BakeWords words{{"depth", "derivative"}, ""};
+    for (const std::string_view name : mapNames) {
+        const ReliefMapFormat& format = reliefMapFormat(name);
+        if (!format.cones.empty()) {
+            words.maps.emplace_back("cone");
+            words.cones = format.cones;
+        } else if (format.form != ReliefMapForm::Pyramid &&
+                   std::ranges::find(words.maps, name) == words.maps.end()) {
+            words.maps.emplace_back(name);
+        }
+    }
+    return words;
+}
+
 ReliefMaps::ReliefMaps(textures::MapSet maps, std::string name)
     : maps_(std::move(maps)), name_(std::move(name)) {
     require("depth");

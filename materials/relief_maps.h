@@ -4,6 +4,7 @@
 
 #include <map>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +55,13 @@ std::span<const ReliefMapFormat> reliefMapFormats();
 
 /// The format of the map called `name`; the name must be one of reliefMapFormats().
 const ReliefMapFormat& reliefMapFormat(std::string_view name);
+
+/// What relievo-bake relief must be told for a search that reads certain maps, and its shading.
+struct BakeWords {
+    std::vector<std::string> maps;  ///< of --maps
+    std::string cones;              ///< of --cone; empty: no cones
+};
+BakeWords bakeWordsFor(std::span<const std::string_view> mapNames);
 
 /// The maps of one relief on the GPU. Each is uploaded when it is first asked for, so maps that no
 /// technique in use needs cost nothing. Needs a current context; share it between the materials

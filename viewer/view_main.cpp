@@ -1,9 +1,11 @@
 // relievo-view: shows a relief with one or several techniques, next to the exact picture, in a
 // window or without one.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "commands/program.h"
+#include "materials/relief_maps.h"
 #include "materials/technique_registry.h"
 #include "viewer/headless.h"
 #include "viewer/view_options.h"
@@ -15,11 +17,14 @@ using namespace relievo;
 
 void listTechniques() {
     for (const materials::Technique& technique : materials::techniques()) {
-        std::string maps;
-        for (const std::string_view map : technique.maps)
-            maps += fmt::format("{}{}", maps.empty() ? "" : ", ", map);
-        commands::answer(fmt::format("{}: {} ({}); maps: {}, derivative", technique.name,
-                                     technique.title, technique.origin, maps));
+        commands::answer(
+            fmt::format("{}: {} ({})", technique.name, technique.title, technique.origin));
+        const materials::BakeWords words = materials::bakeWordsFor(technique.maps);
+        commands::answer(fmt::format("    needs --maps {}{}", fmt::join(words.maps, ","),
+                                     words.cones.empty() ? "" : " --cone " + words.cones));
+        commands::answer(fmt::format(
+            "    wrong first hits on the worst sample: at most {:g} % from 45°, {:g} % from 15°",
+            technique.errors.at45.wrongPercent, technique.errors.at15.wrongPercent));
         for (const materials::TechniqueParameter& parameter : technique.parameters)
             commands::answer(fmt::format("    {}: {}, {:g} to {:g}, default {:g}", parameter.name,
                                          parameter.description, parameter.minimum,

@@ -1,6 +1,8 @@
 // Access to the maps of a relief. Every lookup of a search goes through here and is counted: the
 // count costs nothing where the program does not read it.
 
+#include "relievo/platform.glsl"
+
 uniform sampler2D relievoDepthMap;       // D, linear filter, wrap mode of the map
 uniform sampler2D relievoDerivativeMap;  // ∂D/∂u, ∂D/∂v in the metric at a = 1, likewise
 
@@ -34,7 +36,7 @@ ReliefCell reliefCell(vec2 uv) {
 // Depths at the corners of a cell, in the order of textureGather: (0,1), (1,1), (1,0), (0,0).
 vec4 reliefCornerDepths(ReliefCell cell) {
     ++reliefFetchCount;
-    return textureGather(relievoDepthMap, cell.gather);
+    return reliefGather(relievoDepthMap, cell.gather);
 }
 
 // The bilinear interpolation of four corners, in the order of textureGather, in full precision.

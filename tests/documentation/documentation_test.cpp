@@ -82,13 +82,22 @@ TEST(Documentation, HasTheUniformsOfTheTechniques) {
     }
 }
 
+TEST(Documentation, HasEveryTechnique) {
+    const std::string document = tests::readBytes(kSources + "/docs/techniques.md");
+    for (const materials::Technique& technique : materials::techniques()) {
+        const std::string row =
+            "| `" + std::string(technique.name) + "` | " + std::string(technique.origin) + " |";
+        EXPECT_NE(document.find(row), std::string::npos) << row;
+    }
+}
+
 // A link to a page or file that is not there sends the reader nowhere.
 TEST(Documentation, LinksLeadSomewhere) {
     static const std::regex kLink(R"(\]\(([^)#:]+)\))");
     for (const std::string document :
          {"README.md", "CONTRIBUTING.md", "docs/architecture.md", "docs/materials.md",
-          "docs/measurements.md", "docs/relievo-bake.md", "docs/relievo-view.md",
-          "docs/relievo-bench.md"}) {
+          "docs/measurements.md", "docs/techniques.md", "docs/relievo-bake.md",
+          "docs/relievo-view.md", "docs/relievo-bench.md"}) {
         const std::filesystem::path file = kSources + "/" + document;
         const std::string text = tests::readBytes(file);
         for (auto link = std::sregex_iterator(text.begin(), text.end(), kLink);

@@ -11,6 +11,14 @@
 namespace relievo::materials {
 namespace {
 
+// What a map may ask a technique's text to define.
+const std::vector<std::vector<shaders::Define>> kVariants = {
+    {},
+    {{"RELIEVO_CONE_RADIUS", "1"}},
+    {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
+    {{"RELIEVO_WRAP_CLAMP", "1"}},
+    {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
+
 // Compiles fragment shaders, all in one run of the compiler.
 class Glslang {
   public:
@@ -27,20 +35,48 @@ class Glslang {
 };
 
 TEST(GlslangTest, AcceptsEveryProgram) {
-    const std::vector<std::vector<shaders::Define>> variants = {
-        {},
-        {{"RELIEVO_CONE_RADIUS", "1"}},
-        {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
-        {{"RELIEVO_WRAP_CLAMP", "1"}},
-        {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
     Glslang compiler;
     for (const Technique& technique : techniques())
         for (const std::string fragment : {"shaded", "measured"})
-            for (std::size_t k = 0; k < variants.size(); ++k)
+            for (std::size_t k = 0; k < kVariants.size(); ++k)
                 compiler.add(std::string(technique.name) + "-" + fragment + "-" + std::to_string(k),
                              expandFragment("relievo/programs/" + fragment + ".frag",
-                                            technique.file, variants[k])
+                                            technique.file, kVariants[k])
                                  .text);
+    const tests::ProcessResult result = compiler.run();
+    EXPECT_EQ(result.exitStatus, 0) << result.output;
+}
+
+// What the searches and the shading are made of is GLSL ES 3.00 as well.
+TEST(GlslangTest, AcceptsEveryTechniqueInGlslEs) {
+    constexpr const char* kHeader =
+        "#version 300 es\n"
+        "precision highp float;\n"
+        "precision highp int;\n"
+        "precision highp sampler2D;\n"
+        "precision highp sampler2DArray;";
+    constexpr const char* kMain = R"glsl(
+#include "relievo/material.glsl"
+#include "relievo/blinn_phong.glsl"
+uniform mat4 viewProjection;
+uniform ReliefSurface surface;
+uniform vec3 view;
+out vec4 color;
+void main() {
+    ReliefFragment relief = traceRelief(surface, view);
+    color = vec4(blinnPhong(vec3(1.0), relief.normal, -view, -view, vec3(1.0)), 1.0);
+    gl_FragDepth = reliefWindowDepth(relief, viewProjection);
+}
+)glsl";
+    Glslang compiler;
+    for (const Technique& technique : techniques())
+        for (std::size_t k = 0; k < kVariants.size(); ++k)
+            compiler.add(
+                std::string(technique.name) + "-" + std::to_string(k),
+                shaders::expandShader("fragment shader",
+                                      "#include \"" + std::string(technique.file) + "\"\n" + kMain,
+                                      kHeader, kVariants[k])
+                    .text);
     const tests::ProcessResult result = compiler.run();
     EXPECT_EQ(result.exitStatus, 0) << result.output;
 }

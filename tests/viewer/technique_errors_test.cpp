@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "bench/technique_maps.h"
 #include "materials/technique_registry.h"
+#include "preprocess/relief_baker.h"
 #include "relief_scene.h"
 #include "shaders/relievo/constants.h"
 #include "textures/sample_reliefs.h"
@@ -61,6 +65,67 @@ INSTANTIATE_TEST_SUITE_P(Samples, TechniqueErrors, testing::ValuesIn([] {
                              return samples;
                          }()),
                          [](const auto& test) { return std::string(test.param->name); });
+
+class Budgets : public testing::TestWithParam<const materials::Technique*> {
+  protected:
+    std::unique_ptr<gl::Context> context_ = makeTestContext();
+};
+
+// The worst of what was measured must be near the budget: a loose one would let a technique get
+// worse unseen. Below these numbers a budget says that there is nothing to see.
+constexpr double kLeastPercent = 0.05;
+constexpr double kLeastTexels = 1e-4;
+
+void expectTight(double worst, double budget, double least, const char* what) {
+    EXPECT_LE(worst, budget) << what;
+    EXPECT_GE(std::max(worst, least), 0.9 * budget) << what << ": the budget is loose";
+}
+
+TEST_P(Budgets, HoldOnEverySample) {
+    const materials::Technique& technique = *GetParam();
+    const struct {
+        float elevation;
+        materials::ErrorBudget::At budget;
+    } views[] = {{45.0f, technique.errors.at45}, {15.0f, technique.errors.at15}};
+    materials::ErrorBudget::At worst[] = {{0.0, 0.0}, {0.0, 0.0}};
+    for (const textures::SampleRelief& sample : textures::sampleReliefs()) {
+        SCOPED_TRACE(std::string(sample.name));
+        RayScene scene(
+            preprocess::bakeRelief(textures::generateSampleRelief(sample.name, kMapSize, kMapSize),
+                                   bench::planFor(technique)),
+            30.0f, 90.0f);
+        for (std::size_t k = 0; k < std::size(views); ++k) {
+            scene.look(30.0f, views[k].elevation);
+            const reference::ErrorStatistics errors = scene.errors(technique, kFrameSize);
+            const double wrong = 100 * errors.wrongShare;
+            const double mean = errors.meanDistance * kMapSize;
+            EXPECT_LE(wrong, views[k].budget.wrongPercent) << views[k].elevation;
+            EXPECT_LE(mean, views[k].budget.meanTexels) << views[k].elevation;
+            worst[k] = {std::max(worst[k].wrongPercent, wrong),
+                        std::max(worst[k].meanTexels, mean)};
+        }
+    }
+    fmt::print("{}: {{{{{:.4g}, {:.4g}}}, {{{:.4g}, {:.4g}}}}}\n", technique.name,
+               worst[0].wrongPercent, worst[0].meanTexels, worst[1].wrongPercent,
+               worst[1].meanTexels);
+    for (std::size_t k = 0; k < std::size(views); ++k) {
+        SCOPED_TRACE(views[k].elevation);
+        expectTight(worst[k].wrongPercent, views[k].budget.wrongPercent, kLeastPercent, "wrong %");
+        expectTight(worst[k].meanTexels, views[k].budget.meanTexels, kLeastTexels, "mean texels");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, Budgets, testing::ValuesIn([] {
+                             std::vector<const materials::Technique*> techniques;
+                             for (const auto& technique : materials::techniques())
+                                 techniques.push_back(&technique);
+                             return techniques;
+                         }()),
+                         [](const auto& test) {
+                             std::string name(test.param->name);
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
 
 // The budget is one that cones of twice the width do not meet on a relief with cliffs.
 TEST(TooWideCones, AreCaught) {

@@ -22,21 +22,28 @@ struct ReliefWalk {
 
 ivec2 reliefWalkCell(ReliefWalk walk) { return walk.first + walk.advance; }
 
+// The t at which the walk's ray leaves the cells from `before` before cell number `cell` to `after` after it, `advance` from the
+// first one, along an axis of `size` texels.
+float reliefSpanExit(int advance, int cell, int size, int before, int after, float start,
+                     float speed) {
+    bool isForward = speed > 0.0;
+#ifdef RELIEVO_WRAP_CLAMP
+    // Outside a clamped tile one cell reaches to infinity.
+    if (isForward ? cell >= size - 1 : cell < 0) return kReliefNever;
+#endif
+    int border = isForward ? advance + after + 1 : advance - before;
+    return speed == 0.0 ? kReliefNever : (float(border) - start) / speed;
+}
+
 // The t at which the walk's ray leaves the cells from `before` before the current one to `after` after it,
 // along each axis.
 vec2 reliefSpanExits(ReliefWalk walk, ivec2 before, ivec2 after) {
-    bvec2 forward = greaterThan(walk.speed, vec2(0.0));
-    bvec2 still = equal(walk.speed, vec2(0.0));
-    ivec2 border = walk.advance + mix(-before, after + 1, forward);
-#ifdef RELIEVO_WRAP_CLAMP
-    // Outside a clamped tile one cell reaches to infinity.
-    ivec2 last = textureSize(relievoDepthMap, 0) - 1;
+    ivec2 size = textureSize(relievoDepthMap, 0);
     ivec2 cell = reliefWalkCell(walk);
-    bvec2 outside = mix(lessThan(cell, ivec2(0)), greaterThanEqual(cell, last), forward);
-    still = bvec2(still.x || outside.x, still.y || outside.y);
-#endif
-    vec2 exits = (vec2(border) - walk.start) / mix(walk.speed, vec2(1.0), still);
-    return mix(exits, vec2(kReliefNever), still);
+    return vec2(reliefSpanExit(walk.advance.x, cell.x, size.x, before.x, after.x, walk.start.x,
+                               walk.speed.x),
+                reliefSpanExit(walk.advance.y, cell.y, size.y, before.y, after.y, walk.start.y,
+                               walk.speed.y));
 }
 
 void reliefFindExit(inout ReliefWalk walk) {
@@ -72,12 +79,17 @@ void reliefStepWalk(inout ReliefWalk walk) {
     reliefFindExit(walk);
 }
 
+// How far the walk is along one axis at `target` cells from the first: never back.
+int reliefAdvance(int advance, int target, float speed) {
+    if (speed == 0.0) return advance;
+    return speed > 0.0 ? max(advance, target) : min(advance, target);
+}
+
 // On to the cell of the ray's point at t, never back.
 void reliefJumpWalk(inout ReliefWalk walk, float t) {
     ivec2 target = ivec2(floor(walk.start + t * walk.speed));
-    bvec2 forward = greaterThan(walk.speed, vec2(0.0));
-    ivec2 advance = mix(min(target, walk.advance), max(target, walk.advance), forward);
-    walk.advance = mix(advance, walk.advance, equal(walk.speed, vec2(0.0)));
+    walk.advance = ivec2(reliefAdvance(walk.advance.x, target.x, walk.speed.x),
+                         reliefAdvance(walk.advance.y, target.y, walk.speed.y));
 #ifdef RELIEVO_WRAP_CLAMP
     ivec2 last = textureSize(relievoDepthMap, 0) - 1;
     walk.advance = clamp(reliefWalkCell(walk), ivec2(-1), last) - walk.first;
@@ -100,7 +112,7 @@ float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     ++reliefFetchCount;
     vec2 size = vec2(textureSize(relievoDepthMap, 0));
     // In the order of textureGather: (0,1), (1,1), (1,0), (0,0).
-    vec4 depths = textureGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / size);
+    vec4 depths = reliefGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / size);
     vec2 place = clamp(walk.start + walk.t * walk.speed - vec2(walk.advance), 0.0, 1.0);
     vec2 slope = vec2(depths.z, depths.x) - depths.w;
     float twist = (depths.y - depths.x) - slope.x;

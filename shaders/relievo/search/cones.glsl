@@ -16,7 +16,7 @@ float reliefConeRatio(vec2 uv, ReliefCell cell, vec4 depths) {
 #ifdef RELIEVO_CONE_BILINEAR
     return textureLod(relievoConeMap, uv, 0.0).r;
 #else
-    vec4 cones = textureGather(relievoConeMap, cell.gather);
+    vec4 cones = reliefGather(relievoConeMap, cell.gather);
 #ifdef RELIEVO_CONE_RADIUS
     // A corner of depth 0 is a highest point: it has no cone, and the radius says nothing.
     const float unlimited = 1e30;
