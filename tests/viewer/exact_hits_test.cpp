@@ -144,13 +144,8 @@ TEST_P(ExactHits, AreTheFirstOnesUnderEveryWrapMode) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, ExactHits, testing::ValuesIn([] {
-                             std::vector<const textures::SampleRelief*> samples;
-                             for (const auto& sample : textures::sampleReliefs())
-                                 samples.push_back(&sample);
-                             return samples;
-                         }()),
-                         [](const auto& test) { return std::string(test.param->name); });
+INSTANTIATE_TEST_SUITE_P(Samples, ExactHits, testing::ValuesIn(everySample()),
+                         nameOfTest<textures::SampleRelief>);
 
 class ExactHitsOf : public testing::Test {
   protected:

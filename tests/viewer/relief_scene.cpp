@@ -60,6 +60,20 @@ reference::ErrorStatistics RayScene::errors(materials::ReliefMaterial& material,
         1.0 / renderer.depthMap().width());
 }
 
+std::vector<const materials::Technique*> everyTechnique() {
+    std::vector<const materials::Technique*> techniques;
+    for (const materials::Technique& technique : materials::techniques())
+        techniques.push_back(&technique);
+    return techniques;
+}
+
+std::vector<const textures::SampleRelief*> everySample() {
+    std::vector<const textures::SampleRelief*> samples;
+    for (const textures::SampleRelief& sample : textures::sampleReliefs())
+        samples.push_back(&sample);
+    return samples;
+}
+
 std::unique_ptr<gl::Context> makeTestContext() {
     return gl::createContext(gl::Backend::OSMesa, {.debug = true});
 }

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "gl/context.h"
+#include "materials/technique_registry.h"
 #include "reference/error_metrics.h"
 #include "textures/map_set.h"
+#include "textures/sample_reliefs.h"
 #include "viewer/scene_renderer.h"
 
 namespace relievo::viewer {
@@ -36,6 +43,17 @@ struct RayScene {
     reference::ErrorStatistics errors(const materials::Technique& technique, int size);
     reference::ErrorStatistics errors(materials::ReliefMaterial& material, int size);
 };
+
+/// For tests with a parameter: all entries of the registry, all sample reliefs, and what the tests
+/// are called for them.
+std::vector<const materials::Technique*> everyTechnique();
+std::vector<const textures::SampleRelief*> everySample();
+template <typename Entry>
+std::string nameOfTest(const testing::TestParamInfo<const Entry*>& test) {
+    std::string name(test.param->name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
 
 /// An OSMesa context whose driver errors are exceptions.
 std::unique_ptr<gl::Context> makeTestContext();

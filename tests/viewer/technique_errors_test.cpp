@@ -58,13 +58,8 @@ TEST_P(TechniqueErrors, ConeTracingConvergesToTheFirstHit) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, TechniqueErrors, testing::ValuesIn([] {
-                             std::vector<const textures::SampleRelief*> samples;
-                             for (const auto& sample : textures::sampleReliefs())
-                                 samples.push_back(&sample);
-                             return samples;
-                         }()),
-                         [](const auto& test) { return std::string(test.param->name); });
+INSTANTIATE_TEST_SUITE_P(Samples, TechniqueErrors, testing::ValuesIn(everySample()),
+                         nameOfTest<textures::SampleRelief>);
 
 class Budgets : public testing::TestWithParam<const materials::Technique*> {
   protected:
@@ -115,17 +110,8 @@ TEST_P(Budgets, HoldOnEverySample) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Techniques, Budgets, testing::ValuesIn([] {
-                             std::vector<const materials::Technique*> techniques;
-                             for (const auto& technique : materials::techniques())
-                                 techniques.push_back(&technique);
-                             return techniques;
-                         }()),
-                         [](const auto& test) {
-                             std::string name(test.param->name);
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Techniques, Budgets, testing::ValuesIn(everyTechnique()),
+                         nameOfTest<materials::Technique>);
 
 // The budget is one that cones of twice the width do not meet on a relief with cliffs.
 TEST(TooWideCones, AreCaught) {
