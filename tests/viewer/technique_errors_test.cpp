@@ -113,6 +113,29 @@ TEST_P(Budgets, HoldOnEverySample) {
 INSTANTIATE_TEST_SUITE_P(Techniques, Budgets, testing::ValuesIn(everyTechnique()),
                          nameOfTest<materials::Technique>);
 
+class GuaranteedCones : public Budgets {};
+
+// With the maps that relievo-bake makes by default no step leads past the first hit by over a
+// texel.
+TEST_P(GuaranteedCones, NeverOvershoot) {
+    for (const textures::SampleRelief& sample : textures::sampleReliefs()) {
+        RayScene scene(
+            preprocess::bakeRelief(textures::generateSampleRelief(sample.name, kMapSize, kMapSize),
+                                   bench::planFor(*GetParam())),
+            30.0f, 90.0f);
+        for (const float elevation : {90.0f, 45.0f, 15.0f, 5.0f, 1.0f}) {
+            scene.look(30.0f, elevation);
+            EXPECT_EQ(scene.errors(*GetParam(), kFrameSize).overshotShare, 0.0)
+                << sample.name << " from " << elevation << "°";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Techniques, GuaranteedCones,
+                         testing::Values(&materials::findTechnique("cone"),
+                                         &materials::findTechnique("relaxed")),
+                         nameOfTest<materials::Technique>);
+
 // The budget is one that cones of twice the width do not meet on a relief with cliffs.
 TEST(TooWideCones, AreCaught) {
     const std::unique_ptr<gl::Context> context = makeTestContext();
