@@ -67,12 +67,11 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         if (maps.encoding == textures::ConeEncoding::Radius)
             result.push_back({"RELIEVO_CONE_RADIUS", "1"});
     }
-    if (reads("roof") || reads("pyramid")) {
-        if (maps.wrap == textures::WrapMode::Mirror)
-            result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
-        if (maps.wrap == textures::WrapMode::Clamp)
-            result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
-    }
+    // Mirrored tiles have mirrored slopes, whatever the search.
+    if (maps.wrap == textures::WrapMode::Mirror)
+        result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
+    if (maps.wrap == textures::WrapMode::Clamp && (reads("roof") || reads("pyramid")))
+        result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
     return result;
 }
 

@@ -16,7 +16,15 @@ float reliefDepth(vec2 uv) {
 // Gradient of D, in the metric at a = 1.
 vec2 reliefGradient(vec2 uv) {
     ++reliefFetchCount;
-    return textureLod(relievoDerivativeMap, uv, 0.0).rg;
+    vec2 gradient = textureLod(relievoDerivativeMap, uv, 0.0).rg;
+#ifdef RELIEVO_WRAP_MIRROR
+    // In a mirrored tile slopes along the mirrored axis are reversed, and between the last texel of a
+    // tile and the same texel beyond the border, half a texel away each, they pass through 0.
+    vec2 tile = floor(uv);
+    vec2 border = min(uv - tile, 1.0 - (uv - tile)) * vec2(textureSize(relievoDerivativeMap, 0));
+    gradient *= (1.0 - 2.0 * mod(tile, 2.0)) * min(2.0 * border, 1.0);
+#endif
+    return gradient;
 }
 
 // The bilinear cell that holds a point: the patch between four texel centres.

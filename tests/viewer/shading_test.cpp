@@ -59,6 +59,25 @@ TEST_F(Shading, WithoutDepthTheReliefIsFlatAndItsNormalsStraight) {
     }
 }
 
+// Rays this low end in tiles around the first one, every other of which is mirrored: its slopes are
+// reversed along the mirrored axis, or the light would come from the wrong side there.
+TEST_F(Shading, MirroredTilesHaveMirroredNormals) {
+    textures::DepthMap map = textures::generateSampleRelief("cobbles", 128, 128);
+    const materials::Technique& technique = materials::findTechnique("exact");
+    for (const float azimuth : {30.0f, 120.0f, 210.0f, 300.0f}) {
+        double angles[2];
+        for (const textures::WrapMode wrap :
+             {textures::WrapMode::Repeat, textures::WrapMode::Mirror}) {
+            map.wrap = wrap;
+            RayScene scene(bakeMapsFor(technique, map), azimuth, 4.0f);
+            angles[wrap == textures::WrapMode::Mirror] =
+                scene.errors(technique, 96).meanNormalAngle;
+        }
+        // As good as without mirrors. Reversed slopes are wrong by tens of degrees.
+        EXPECT_LT(angles[1], angles[0] + 2.0) << azimuth;
+    }
+}
+
 // A lone bump shades brighter on the side that faces the light: derivatives of a depth map, a world
 // normal and a light direction must agree on all three axes.
 TEST_F(Shading, TheSideThatFacesTheLightIsBrighter) {

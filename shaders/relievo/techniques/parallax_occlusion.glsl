@@ -10,7 +10,6 @@ ReliefHit searchRelief(ReliefRay ray) {
     float count = mix(float(relievoMostSteps), float(relievoFewestSteps), reliefCosine(ray));
     ReliefBracket bracket;
     int steps = 0;
-    // The fewest may be set above the most.
     if (!reliefMarch(ray, int(ceil(count)), bracket, steps))
         return reliefResult(ray, bracket.inside, RELIEVO_OUTCOME_MISS, steps);
     return reliefResult(ray, reliefSecant(bracket), RELIEVO_OUTCOME_HIT, steps);
