@@ -8,20 +8,37 @@ uniform sampler2D relievoDerivativeMap;  // ∂D/∂u, ∂D/∂v in the metric a
 
 int reliefFetchCount = 0;
 
+// Texels of the level that is searched.
+ivec2 reliefMapSize() { return textureSize(relievoDepthMap, reliefLevel); }
+
+// ρ, the height of a tile over its width. Texels are square in the first level; in the levels of odd
+// sizes, which cover the same tile, they need not be.
+float reliefAspect() {
+    ivec2 size = textureSize(relievoDepthMap, 0);
+    return float(size.y) / float(size.x);
+}
+
+// Height over width of a texel of the level that is searched.
+float reliefTexelAspect() {
+    if (reliefLevel == 0) return 1.0;
+    vec2 size = vec2(reliefMapSize());
+    return reliefAspect() * size.x / size.y;
+}
+
 float reliefDepth(vec2 uv) {
     ++reliefFetchCount;
-    return textureLod(relievoDepthMap, uv, 0.0).r;
+    return textureLod(relievoDepthMap, uv, float(reliefLevel)).r;
 }
 
 // Gradient of D, in the metric at a = 1.
 vec2 reliefGradient(vec2 uv) {
     ++reliefFetchCount;
-    vec2 gradient = textureLod(relievoDerivativeMap, uv, 0.0).rg;
+    vec2 gradient = textureLod(relievoDerivativeMap, uv, float(reliefLevel)).rg;
 #ifdef RELIEVO_WRAP_MIRROR
     // In a mirrored tile slopes along the mirrored axis are reversed, and between the last texel of a
     // tile and the same texel beyond the border, half a texel away each, they pass through 0.
     vec2 tile = floor(uv);
-    vec2 border = min(uv - tile, 1.0 - (uv - tile)) * vec2(textureSize(relievoDerivativeMap, 0));
+    vec2 border = min(uv - tile, 1.0 - (uv - tile)) * vec2(reliefMapSize());
     gradient *= (1.0 - 2.0 * mod(tile, 2.0)) * min(2.0 * border, 1.0);
 #endif
     return gradient;
@@ -35,7 +52,7 @@ struct ReliefCell {
 };
 
 ReliefCell reliefCell(vec2 uv) {
-    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+    vec2 size = vec2(reliefMapSize());
     vec2 position = uv * size - 0.5;
     vec2 corner = floor(position);
     return ReliefCell((corner + 1.0) / size, position - corner);
@@ -51,10 +68,4 @@ vec4 reliefCornerDepths(ReliefCell cell) {
 float reliefInterpolate(ReliefCell cell, vec4 corners) {
     vec2 column = mix(corners.wx, corners.zy, cell.fraction.x);
     return mix(column.x, column.y, cell.fraction.y);
-}
-
-// ρ = height/width of the map.
-float reliefAspect() {
-    ivec2 size = textureSize(relievoDepthMap, 0);
-    return float(size.y) / float(size.x);
 }

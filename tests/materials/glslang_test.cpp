@@ -17,6 +17,8 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_CONE_RADIUS", "1"}},
     {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_WRAP_CLAMP", "1"}},
+    {{"RELIEVO_MIPS", "1"}},
+    {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
 
 // Compiles fragment shaders, all in one run of the compiler.

@@ -38,7 +38,7 @@ float reliefSpanExit(int advance, int cell, int size, int before, int after, flo
 // The t at which the walk's ray leaves the cells from `before` before the current one to `after` after it,
 // along each axis.
 vec2 reliefSpanExits(ReliefWalk walk, ivec2 before, ivec2 after) {
-    ivec2 size = textureSize(relievoDepthMap, 0);
+    ivec2 size = reliefMapSize();
     ivec2 cell = reliefWalkCell(walk);
     return vec2(reliefSpanExit(walk.advance.x, cell.x, size.x, before.x, after.x, walk.start.x,
                                walk.speed.x),
@@ -52,7 +52,7 @@ void reliefFindExit(inout ReliefWalk walk) {
 }
 
 ReliefWalk reliefBeginWalk(ReliefRay ray) {
-    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+    vec2 size = vec2(reliefMapSize());
 #ifdef RELIEVO_WRAP_CLAMP
     vec2 tile = vec2(0.0);
 #else
@@ -91,7 +91,7 @@ void reliefJumpWalk(inout ReliefWalk walk, float t) {
     walk.advance = ivec2(reliefAdvance(walk.advance.x, target.x, walk.speed.x),
                          reliefAdvance(walk.advance.y, target.y, walk.speed.y));
 #ifdef RELIEVO_WRAP_CLAMP
-    ivec2 last = textureSize(relievoDepthMap, 0) - 1;
+    ivec2 last = reliefMapSize() - 1;
     walk.advance = clamp(reliefWalkCell(walk), ivec2(-1), last) - walk.first;
 #endif
     walk.t = t;
@@ -110,7 +110,7 @@ int reliefModulo(int cell, int period) {
 // below the surface, which rounding may cause, meets it at once.
 float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     ++reliefFetchCount;
-    vec2 size = vec2(textureSize(relievoDepthMap, 0));
+    vec2 size = vec2(reliefMapSize());
     // In the order of textureGather: (0,1), (1,1), (1,0), (0,0).
     vec4 depths = reliefGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / size);
     vec2 place = clamp(walk.start + walk.t * walk.speed - vec2(walk.advance), 0.0, 1.0);

@@ -14,7 +14,7 @@ uniform float relievoTolerance;  // in normalised depth: closer than this above 
 float reliefConeRatio(vec2 uv, ReliefCell cell, vec4 depths) {
     ++reliefFetchCount;
 #ifdef RELIEVO_CONE_BILINEAR
-    return textureLod(relievoConeMap, uv, 0.0).r;
+    return textureLod(relievoConeMap, uv, float(reliefLevel)).r;
 #else
     vec4 cones = reliefGather(relievoConeMap, cell.gather);
 #ifdef RELIEVO_CONE_RADIUS

@@ -13,7 +13,7 @@ uniform float relievoLeastStep;  // texels
 uniform int relievoBinarySteps;  // halvings of the step that pierced the surface
 
 ReliefHit searchRelief(ReliefRay ray) {
-    vec2 texels = ray.direction.xy * vec2(textureSize(relievoDepthMap, 0));
+    vec2 texels = ray.direction.xy * vec2(reliefMapSize());
     // Steep rays stay within a texel: their least step is the whole ray.
     float least = relievoLeastStep / max(length(texels), 1e-6);
     ReliefBracket bracket = ReliefBracket(0.0, 0.0, 0.0, 0.0);

@@ -8,7 +8,7 @@ uniform sampler2D relievoCylinderMap;  // radius in tile widths
 
 float reliefFreeLength(ReliefRay ray, vec3 point) {
     ++reliefFetchCount;
-    float radius = textureLod(relievoCylinderMap, point.xy, 0.0).r;
+    float radius = textureLod(relievoCylinderMap, point.xy, float(reliefLevel)).r;
     return ray.speed > 0.0 ? radius / ray.speed : RELIEVO_MAXIMUM_REACH;
 }
 

@@ -14,11 +14,11 @@ uniform int relievoRoofBlock;           // cells around, or ahead of, a cell who
 uniform int relievoExactSteps;
 
 // The layer for rays along `direction`, in texels: the quadrant (du<0) + 2·(dv<0), and of eight the
-// steep half + 4.
+// half that is steep in the metric + 4.
 int reliefRoofLayer(vec2 direction, int layers) {
     if (layers == 1) return 0;
     int quadrant = int(direction.x < 0.0) + 2 * int(direction.y < 0.0);
-    bool isSteep = abs(direction.y) > abs(direction.x);
+    bool isSteep = abs(direction.y) * reliefTexelAspect() > abs(direction.x);
     return quadrant + (layers == 8 && isSteep ? 4 : 0);
 }
 
@@ -41,16 +41,18 @@ int reliefMirroredCell(int cell, int size, inout float direction) {
 // Roof and ratio for the walk's cell and the ray's direction.
 vec2 reliefRoofCone(ReliefWalk walk) {
     ++reliefFetchCount;
-    ivec3 size = textureSize(relievoRoofMap, 0);
+    ivec3 size = textureSize(relievoRoofMap, reliefLevel);
     ivec2 cell = reliefWalkCell(walk);
 #ifdef RELIEVO_WRAP_MIRROR
     vec2 direction = walk.speed;
     ivec2 texel = ivec2(reliefMirroredCell(cell.x, size.x, direction.x),
                         reliefMirroredCell(cell.y, size.y, direction.y));
-    return texelFetch(relievoRoofMap, ivec3(texel, reliefRoofLayer(direction, size.z)), 0).rg;
+    int layer = reliefRoofLayer(direction, size.z);
+    return texelFetch(relievoRoofMap, ivec3(texel, layer), reliefLevel).rg;
 #else
     vec2 uv = (vec2(cell) + 0.5) / vec2(size.xy);
-    return textureLod(relievoRoofMap, vec3(uv, reliefRoofLayer(walk.speed, size.z)), 0.0).rg;
+    int layer = reliefRoofLayer(walk.speed, size.z);
+    return textureLod(relievoRoofMap, vec3(uv, layer), float(reliefLevel)).rg;
 #endif
 }
 

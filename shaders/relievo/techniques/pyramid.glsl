@@ -7,6 +7,8 @@
 //
 // Error: float rounding. Cost: a lookup for every node, a second one in every cell that is solved; about
 // twice those of techniques/exact.glsl.
+// It stays in the first MIP level: the levels of its texture are sizes of nodes.
+#define RELIEVO_BASE_LEVEL
 #include "relievo/search/cells.glsl"
 
 uniform sampler2D relievoPyramidMap;  // level k: nodes of 2ᵏ × 2ᵏ cells
@@ -51,7 +53,7 @@ void reliefLeave(inout ReliefWalk walk, float t) {
 }
 
 ReliefHit searchRelief(ReliefRay ray) {
-    ivec2 size = textureSize(relievoDepthMap, 0);
+    ivec2 size = reliefMapSize();
     // The sizes of the pyramid are powers of two.
     vec2 nodes = vec2(textureSize(relievoPyramidMap, 0));
     int top = int(round(log2(max(nodes.x, nodes.y))));

@@ -9,11 +9,11 @@ uniform int relievoReach;             // texels
 
 float reliefFreeLength(ReliefRay ray, vec3 point) {
     ++reliefFetchCount;
-    float least = textureLod(relievoExtremaMap, point.xy, 0.0).r;
+    float least = textureLod(relievoExtremaMap, point.xy, float(reliefLevel)).r;
     if (point.z >= least) return 0.0;
     float under = ray.direction.z > 0.0 ? (least - point.z) / ray.direction.z
                                         : RELIEVO_MAXIMUM_REACH;
-    vec2 size = vec2(textureSize(relievoExtremaMap, 0));
+    vec2 size = vec2(reliefMapSize());
     vec2 texel = floor(point.xy * size) + 0.5;
     vec2 low = (texel - float(relievoReach)) / size;
     vec2 high = (texel + float(relievoReach)) / size;

@@ -11,7 +11,7 @@ float reliefFreeLength(ReliefRay ray, vec3 point) {
     ++reliefFetchCount;
     float slices = float(textureSize(relievoVolumeMap, 0).z);
     float slice = clamp(floor(point.z * slices), 0.0, slices - 1.0);
-    float distance = textureLod(relievoVolumeMap, vec3(point.xy, slice), 0.0).r;
+    float distance = textureLod(relievoVolumeMap, vec3(point.xy, slice), float(reliefLevel)).r;
     // A flatter relief is nearer by no more than it is flatter; reliefDepthLength is a in t.
     float scale = min(1.0, ray.depthScale / relievoVolumeScale);
     return ray.depthScale > 0.0 ? distance * scale * reliefDepthLength(ray) / ray.depthScale
