@@ -70,10 +70,8 @@ constexpr TechniqueParameter kTolerance = {"tolerance",
                                            false};
 
 constexpr TechniqueParameter kParallaxParameters[] = {
-    {"parallax-steps", "relievoParallaxSteps",
-     "approximations, one of which is slope-aware "
-     "parallax mapping",
-     1, 256, 4, true, true},
+    {"parallax-steps", "relievoParallaxSteps", "approximations, each from the last one", 1, 256, 4,
+     true, true},
 };
 constexpr TechniqueParameter kBinaryParameters[] = {binarySteps(8, true)};
 constexpr TechniqueParameter kSecantParameters[] = {secantSteps(8, true)};
@@ -132,6 +130,13 @@ constexpr Technique kTechniques[] = {
      .maps = kDepthMaps,
      .parameters = {},
      .errors = {{100.0, 5.38}, {100.0, 33.3}}},
+    {.name = "slope-aware",
+     .title = "slope-aware parallax mapping",
+     .origin = "Premecz 2006",
+     .file = "relievo/techniques/slope_aware.glsl",
+     .maps = kSlopeMaps,
+     .parameters = {},
+     .errors = {{100.0, 6.1}, {100.0, 33.5}}},
     {.name = "iterative-parallax",
      .title = "iterative parallax mapping",
      .origin = "Premecz 2006",
