@@ -17,8 +17,10 @@ gl::ShaderText toShaderText(GLenum stage, shaders::ExpandedShader shader) {
 shaders::ExpandedShader expandFragment(std::string_view fragmentFile,
                                        std::string_view techniqueFile,
                                        std::span<const shaders::Define> defines) {
-    const std::string text =
-        fmt::format("#include \"{}\"\n#include \"{}\"\n", techniqueFile, fragmentFile);
+    std::string text;
+    if (!techniqueFile.empty())
+        text = fmt::format("#include \"{}\"\n", techniqueFile);
+    text += fmt::format("#include \"{}\"\n", fragmentFile);
     return shaders::expandShader("fragment shader", text, kHeader, defines);
 }
 

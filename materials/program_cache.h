@@ -16,8 +16,8 @@ namespace relievo::materials {
 class ProgramCache {
   public:
     /// The program of relievo/programs/surface.vert and `fragmentFile` with the technique in
-    /// `techniqueFile` (both paths of the shader library). The reference stays valid as long as the
-    /// cache. Throws gl::GlError when the driver refuses the text.
+    /// `techniqueFile` (both paths of the shader library; no technique for ""). The reference stays
+    /// valid as long as the cache. Throws gl::GlError when the driver refuses the text.
     gl::Program& get(std::string_view fragmentFile, std::string_view techniqueFile,
                      std::span<const shaders::Define> defines);
 

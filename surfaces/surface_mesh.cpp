@@ -2,6 +2,8 @@
 
 #include <cassert>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
 
 namespace relievo::surfaces {
 namespace {
@@ -41,6 +43,23 @@ SurfaceMesh makeBox(Tiles tiles) {
     addFace(mesh, {0, 0.5f, 0}, {-1, 0, 0}, {0, 0, -1}, tiles);
     addFace(mesh, {0.5f, 0, 0}, {0, 1, 0}, {0, 0, -1}, tiles);
     addFace(mesh, {-0.5f, 0, 0}, {0, -1, 0}, {0, 0, -1}, tiles);
+    return mesh;
+}
+
+SurfaceMesh placed(SurfaceMesh mesh, const glm::mat4& placement) {
+    const glm::mat3 linear(placement);
+    const float determinant = glm::determinant(linear);
+    assert(determinant != 0.0f);
+    const glm::mat3 normals = glm::inverseTranspose(linear);
+    for (SurfaceVertex& vertex : mesh.vertices) {
+        vertex.position = glm::vec3(placement * glm::vec4(vertex.position, 1.0f));
+        vertex.normal = glm::normalize(normals * vertex.normal);
+        vertex.tangent = linear * vertex.tangent;
+        vertex.bitangent = linear * vertex.bitangent;
+    }
+    if (determinant < 0.0f)
+        for (std::size_t k = 0; k < mesh.indices.size(); k += 3)
+            std::swap(mesh.indices[k + 1], mesh.indices[k + 2]);
     return mesh;
 }
 

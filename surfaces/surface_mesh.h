@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -38,5 +39,9 @@ SurfaceMesh makeQuad(Tiles tiles, float aspect);
 /// The cube [−½,½]³ with the map on each of its six faces, the reliefs sunk into it. Texels are
 /// square where aspect·tiles.y = tiles.x.
 SurfaceMesh makeBox(Tiles tiles);
+
+/// `mesh` moved by the affine map `placement`, which must be invertible. A mirroring one turns the
+/// triangles round, so that they stay counter-clockwise from outside.
+SurfaceMesh placed(SurfaceMesh mesh, const glm::mat4& placement);
 
 }  // namespace relievo::surfaces

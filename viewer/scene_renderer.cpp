@@ -2,16 +2,9 @@
 
 #include <bit>
 #include <cmath>
-#include <cstddef>
-#include <span>
-
-#include "shaders/relievo/constants.h"
 
 namespace relievo::viewer {
 namespace {
-
-constexpr std::string_view kShaded = "relievo/programs/shaded.frag";
-constexpr std::string_view kMeasured = "relievo/programs/measured.frag";
 
 // An sRGB texture with a mip chain: colours of distant surfaces must be averages, in linear light.
 gl::Texture makeAlbedo(const Picture& picture, textures::WrapMode wrap) {
@@ -23,13 +16,6 @@ gl::Texture makeAlbedo(const Picture& picture, textures::WrapMode wrap) {
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glGenerateTextureMipmap(texture.id());
     return texture;
-}
-
-void prepare(gl::Framebuffer& target) {
-    target.bind();
-    target.clearDepth();
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
 }
 
 }  // namespace
@@ -44,63 +30,27 @@ SceneRenderer::SceneRenderer(textures::MapSet maps, const std::string& name, con
 }
 
 void SceneRenderer::setSurface(const surfaces::SurfaceMesh& mesh) {
-    using surfaces::SurfaceVertex;
-    vertices_ = gl::Buffer(std::as_bytes(std::span(mesh.vertices)));
-    indices_ = gl::Buffer(std::as_bytes(std::span(mesh.indices)));
-    indexCount_ = static_cast<GLsizei>(mesh.indices.size());
-    vertexArray_ = gl::VertexArray();
-    const auto attribute = [&](GLuint location, int components, std::size_t offset) {
-        vertexArray_.attribute(location, vertices_, components, sizeof(SurfaceVertex), offset);
-    };
-    attribute(RELIEVO_ATTRIBUTE_POSITION, 3, offsetof(SurfaceVertex, position));
-    attribute(RELIEVO_ATTRIBUTE_NORMAL, 3, offsetof(SurfaceVertex, normal));
-    attribute(RELIEVO_ATTRIBUTE_TANGENT, 3, offsetof(SurfaceVertex, tangent));
-    attribute(RELIEVO_ATTRIBUTE_BITANGENT, 3, offsetof(SurfaceVertex, bitangent));
-    attribute(RELIEVO_ATTRIBUTE_UV, 2, offsetof(SurfaceVertex, uv));
-    vertexArray_.indices(indices_);
+    surface_.emplace(mesh);
 }
 
 materials::ReliefMaterial SceneRenderer::makeMaterial(const materials::Technique& technique) const {
     return materials::ReliefMaterial(reliefMaps_, technique);
 }
 
-void SceneRenderer::drawSurface(gl::Program& program, materials::ReliefMaterial& material,
-                                const View& view, const gl::Texture* givenHits) {
+SceneObject SceneRenderer::objectIn(const View& view, materials::ReliefMaterial& material) const {
     material.depthScale = view.depthScale;
     material.window = view.window;
-    GLuint unit = material.bind(program.id());
-    if (givenHits) {
-        program.set("relievoGivenHits", static_cast<int>(unit));
-        givenHits->bind(unit++);
-    }
-    if (program.hasUniform("albedoMap")) {
-        program.set("albedoMap", static_cast<int>(unit));
-        albedo_.bind(unit++);
-    }
-    program.set("viewProjection", view.camera.viewProjection);
-    program.set("eye", view.camera.eye);
-    program.use();
-    vertexArray_.bind();
-    glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
-}
-
-void SceneRenderer::drawShaded(materials::ReliefMaterial& material, const View& view,
-                               gl::Framebuffer& target, const gl::Texture* givenHits) {
-    std::vector<shaders::Define> defines = material.defines();
-    if (hasAlbedo_)
-        defines.push_back({"RELIEVO_ALBEDO", "1"});
-    if (view.markExhausted)
-        defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
-    gl::Program& program = programs_.get(kShaded, material.technique().file, defines);
-    prepare(target);
-    target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
-    program.set("toLight", view.toLight);
-    drawSurface(program, material, view, givenHits);
+    SceneObject object;
+    object.surface = &surface_.value();
+    object.material = &material;
+    object.albedo = hasAlbedo_ ? &albedo_ : nullptr;
+    return object;
 }
 
 void SceneRenderer::draw(materials::ReliefMaterial& material, const View& view,
                          gl::Framebuffer& target) {
-    drawShaded(material, view, target, nullptr);
+    const SceneObject object = objectIn(view, material);
+    frames_.draw({&object, 1}, view, target);
 }
 
 void SceneRenderer::drawReference(const ReferenceFrame& reference, const View& view,
@@ -109,18 +59,14 @@ void SceneRenderer::drawReference(const ReferenceFrame& reference, const View& v
     hits.upload(givenHitTexels(reference), 4);
     hits.setSampling(GL_CLAMP_TO_EDGE, GL_NEAREST);
     materials::ReliefMaterial material = makeMaterial(materials::givenHitsTechnique());
-    drawShaded(material, view, target, &hits);
+    SceneObject object = objectIn(view, material);
+    object.givenHits = &hits;
+    frames_.draw({&object, 1}, view, target);
 }
 
 MeasuredFrame SceneRenderer::measure(materials::ReliefMaterial& material, const View& view,
                                      int width, int height) {
-    gl::Framebuffer target = makeMeasuredTarget(width, height);
-    gl::Program& program = programs_.get(kMeasured, material.technique().file, material.defines());
-    prepare(target);
-    for (int attachment = 0; attachment < RELIEVO_OUTPUT_COUNT; ++attachment)
-        target.clearColor(attachment, 0, 0, 0, 0);
-    drawSurface(program, material, view, nullptr);
-    return readMeasuredFrame(target);
+    return frames_.measure(objectIn(view, material), view, width, height);
 }
 
 MeasuredFrame SceneRenderer::rays(const View& view, int width, int height) {

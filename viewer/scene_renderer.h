@@ -1,36 +1,32 @@
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "gl/buffer.h"
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
-#include "materials/program_cache.h"
 #include "materials/relief_maps.h"
 #include "materials/relief_material.h"
 #include "surfaces/surface_mesh.h"
 #include "textures/map_set.h"
-#include "viewer/camera.h"
+#include "viewer/frame_renderer.h"
 #include "viewer/measured_frame.h"
 #include "viewer/picture.h"
 #include "viewer/reference_frame.h"
 
 namespace relievo::viewer {
 
-/// What is seen, apart from the technique that shows it.
-struct View {
-    Camera camera;
-    glm::vec3 toLight{0, 0, 1};    ///< unit vector
+/// What is seen of one relief, apart from the technique that shows it.
+struct View : FrameView {
     float depthScale = 0.1f;       ///< a, in tile widths
     glm::vec4 window{0, 0, 1, 1};  ///< minimum u, v, maximum u, v of the relief
-    bool markExhausted = false;    ///< paint searches that ran out of steps magenta, not as holes
 };
 
-/// A relief on a surface, drawn with any technique. Needs a current context for its whole life; it
-/// draws to framebuffer objects only, so that a window and a headless run share every step.
+/// A relief on a surface, drawn with any technique: the frame of one object. Needs a current
+/// context for its whole life; it draws to framebuffer objects only, so that a window and a
+/// headless run share every step.
 class SceneRenderer {
   public:
     /// `name` stands for the relief in error messages. An empty albedo means plain grey.
@@ -60,20 +56,15 @@ class SceneRenderer {
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return reliefMaps_->maps(); }
 
   private:
-    void drawSurface(gl::Program& program, materials::ReliefMaterial& material, const View& view,
-                     const gl::Texture* givenHits);
-    void drawShaded(materials::ReliefMaterial& material, const View& view, gl::Framebuffer& target,
-                    const gl::Texture* givenHits);
+    /// The surface made of `material`, which takes the view's depth scale and window.
+    SceneObject objectIn(const View& view, materials::ReliefMaterial& material) const;
 
     textures::DepthMap depthMap_;
     std::shared_ptr<materials::ReliefMaps> reliefMaps_;
     gl::Texture albedo_;
     bool hasAlbedo_ = false;
-    materials::ProgramCache programs_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertices_;
-    gl::Buffer indices_;
-    GLsizei indexCount_ = 0;
+    FrameRenderer frames_;
+    std::optional<SurfaceBuffers> surface_;
 };
 
 }  // namespace relievo::viewer

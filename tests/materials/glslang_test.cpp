@@ -38,6 +38,7 @@ class Glslang {
 
 TEST(GlslangTest, AcceptsEveryProgram) {
     Glslang compiler;
+    compiler.add("plain", expandFragment("relievo/programs/plain.frag", "", {}).text);
     for (const Technique& technique : techniques())
         for (const std::string fragment : {"shaded", "measured"})
             for (std::size_t k = 0; k < kVariants.size(); ++k)

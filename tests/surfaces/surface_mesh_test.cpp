@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace relievo::surfaces {
 namespace {
@@ -35,6 +36,21 @@ TEST(SurfaceMesh, TangentFramesAgreeWithPositionsAndUv) {
     EXPECT_TRUE(framesAgree(makeQuad({3, 2}, 0.5f)));
     EXPECT_TRUE(framesAgree(makeBox({1, 1})));
     EXPECT_TRUE(framesAgree(makeBox({2, 5})));
+}
+
+TEST(SurfaceMesh, PlacedMeshesKeepTheirFrames) {
+    const glm::mat4 turned = glm::rotate(glm::mat4(1), 1.1f, glm::vec3(1, 2, 3));
+    EXPECT_TRUE(framesAgree(placed(makeBox({2, 5}), glm::translate(turned, {3, 1, 2}))));
+    EXPECT_TRUE(framesAgree(placed(makeBox({2, 5}), glm::scale(turned, {0.5f, 2.0f, 1.0f}))));
+    EXPECT_TRUE(framesAgree(placed(makeBox({2, 5}), glm::scale(turned, {1, 1, -1}))));
+    // Skewed: the faces do not stay rectangles.
+    glm::mat4 skewed(1);
+    skewed[1][0] = 0.5f;
+    skewed[2][1] = -0.25f;
+    EXPECT_TRUE(framesAgree(placed(makeBox({2, 5}), skewed)));
+    const SurfaceMesh moved = placed(makeQuad({1, 1}, 1), glm::translate(glm::mat4(1), {3, 1, 2}));
+    EXPECT_EQ(moved.vertices[0].position, glm::vec3(2.5f, 1.5f, 2));
+    EXPECT_EQ(moved.vertices[0].normal, glm::vec3(0, 0, 1));
 }
 
 TEST(SurfaceMesh, TheCheckCatchesAFlippedBitangent) {

@@ -1,6 +1,7 @@
 // A relief shaded with Blinn–Phong, writing the depth of its hits.
 #include "relievo/material.glsl"
 #include "relievo/blinn_phong.glsl"
+#include "relievo/programs/srgb.glsl"
 #include "relievo/programs/surface_input.glsl"
 
 uniform mat4 viewProjection;
@@ -12,13 +13,6 @@ uniform sampler2D albedoMap;  // sRGB
 layout(location = 0) out vec4 color;
 // A hit lies behind the surface that carries it, so the early depth test stays valid.
 layout(depth_greater) out float gl_FragDepth;
-
-// Linear RGB to sRGB (IEC 61966-2-1).
-vec3 toSrgb(vec3 linear) {
-    vec3 low = 12.92 * linear;
-    vec3 high = 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055;
-    return mix(low, high, step(0.0031308, linear));
-}
 
 void main() {
     vec2 uvX = dFdx(surfaceUv);

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "gl/framebuffer.h"
+#include "gl/texture.h"
+#include "materials/program_cache.h"
+#include "materials/relief_material.h"
+#include "viewer/camera.h"
+#include "viewer/measured_frame.h"
+#include "viewer/surface_buffers.h"
+
+namespace relievo::viewer {
+
+/// One object of a frame: a surface in the world, and what it is made of. What it points at must be
+/// there while the frame is drawn.
+struct SceneObject {
+    const SurfaceBuffers* surface = nullptr;
+    /// The relief with its technique, depth scale and window; null for a plain mesh.
+    const materials::ReliefMaterial* material = nullptr;
+    const gl::Texture* albedo = nullptr;  ///< sRGB; null for a plain colour
+    glm::vec3 plainColor{0.6f};           ///< linear; of a plain mesh
+    /// The hits of a material of materials::givenHitsTechnique().
+    const gl::Texture* givenHits = nullptr;
+};
+
+/// What a frame shows, apart from the objects in it.
+struct FrameView {
+    Camera camera;
+    glm::vec3 toLight{0, 0, 1};  ///< unit vector
+    bool markExhausted = false;  ///< paint searches that ran out of steps magenta, not as holes
+};
+
+/// Draws frames of objects, whose depths decide between them pixel by pixel. It draws to
+/// framebuffer objects only. Needs a current context for its whole life.
+class FrameRenderer {
+  public:
+    /// Draws the shaded objects over a background of (0.09, 0.09, 0.1) into attachment 0 of
+    /// `target`.
+    void draw(std::span<const SceneObject> objects, const FrameView& view, gl::Framebuffer& target);
+    /// Records the searches of every pixel of one object, which has a relief.
+    MeasuredFrame measure(const SceneObject& object, const FrameView& view, int width, int height);
+
+  private:
+    gl::Program& shadedProgram(const SceneObject& object, const FrameView& view);
+
+    materials::ProgramCache programs_;
+};
+
+}  // namespace relievo::viewer
