@@ -37,7 +37,8 @@ constexpr ReliefMapFormat kFormats[] = {
      .sampler = "relievoDerivativeMap",
      .channels = kDerivativeChannels,
      .internalFormat = GL_RG32F,
-     .filter = GL_LINEAR},
+     .filter = GL_LINEAR,
+     .blendsLevels = true},
     {.name = "cone",
      .sampler = "relievoConeMap",
      .channels = kConeChannels,
@@ -110,6 +111,30 @@ std::string coneKindOf(const textures::MapSet& maps) {
     return found == maps.attributes.end() ? "conservative" : found->second;
 }
 
+// OpenGL samples levels of these sizes only.
+void requireWholeChain(std::span<const textures::MapSet> levels, std::string_view name) {
+    if (levels.size() == 1)
+        return;
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+        const int width = std::max(levels[k - 1].width() / 2, 1);
+        const int height = std::max(levels[k - 1].height() / 2, 1);
+        if (levels[k].width() != width || levels[k].height() != height)
+            throw textures::InputError(
+                fmt::format("{}: its MIP level {} has {} x {} texels, expected {} x {}", name, k,
+                            levels[k].width(), levels[k].height(), width, height));
+    }
+    if (levels.back().width() != 1 || levels.back().height() != 1)
+        throw textures::InputError(
+            fmt::format("{}: its last MIP level has {} x {} texels, expected 1 x 1", name,
+                        levels.back().width(), levels.back().height()));
+}
+
+GLenum levelFilter(const ReliefMapFormat& format) {
+    if (format.filter == GL_NEAREST)
+        return GL_NEAREST_MIPMAP_NEAREST;
+    return format.blendsLevels ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST;
+}
+
 }  // namespace
 
 std::span<const ReliefMapFormat> reliefMapFormats() {
@@ -138,27 +163,34 @@ BakeWords bakeWordsFor(std::span<const std::string_view> mapNames) {
 }
 
 ReliefMaps::ReliefMaps(textures::MapSet maps, std::string name)
-    : maps_(std::move(maps)), name_(std::move(name)) {
+    : ReliefMaps(std::vector<textures::MapSet>{std::move(maps)}, std::move(name)) {}
+
+ReliefMaps::ReliefMaps(std::vector<textures::MapSet> levels, std::string name)
+    : levels_(std::move(levels)), name_(std::move(name)) {
+    assert(!levels_.empty());
+    requireWholeChain(levels_, name_);
     require("depth");
 }
 
-std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat& format) const {
+std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat& format,
+                                                           const textures::MapSet& maps) const {
     std::vector<const textures::Plane*> planes;
     for (const std::string_view channel : format.channels) {
-        planes.push_back(maps_.find(channel));
+        planes.push_back(maps.find(channel));
         if (planes.back() == nullptr)
             throw missing(format, channel);
     }
-    if (!format.cones.empty() && format.cones != coneKindOf(maps_))
+    if (!format.cones.empty() && format.cones != coneKindOf(maps))
         throw textures::InputError(fmt::format("{}: holds {} cones, expected {} ones; {}", name_,
-                                               coneKindOf(maps_), format.cones, remedy(format)));
+                                               coneKindOf(maps), format.cones, remedy(format)));
     return planes;
 }
 
-std::vector<std::vector<const textures::Plane*>> ReliefMaps::sectors() const {
+std::vector<std::vector<const textures::Plane*>> ReliefMaps::sectors(
+    const textures::MapSet& maps) const {
     std::vector<std::vector<const textures::Plane*>> layers;
     try {
-        for (const textures::RoofLayer& layer : textures::roofLayersOf(maps_).layers)
+        for (const textures::RoofLayer& layer : textures::roofLayersOf(maps).layers)
             layers.push_back({layer.roof, layer.ratio});
     } catch (const textures::InputError& error) {
         throw textures::InputError(fmt::format("{}: {}", name_, error.what()));
@@ -167,16 +199,16 @@ std::vector<std::vector<const textures::Plane*>> ReliefMaps::sectors() const {
 }
 
 std::vector<std::vector<const textures::Plane*>> ReliefMaps::layersOf(
-    const ReliefMapFormat& format) const {
+    const ReliefMapFormat& format, const textures::MapSet& maps) const {
     std::vector<std::vector<const textures::Plane*>> layers;
     if (format.form == ReliefMapForm::Sectors)
-        layers = sectors();
+        layers = sectors(maps);
     else if (format.form == ReliefMapForm::Slices)
         while (const textures::Plane* slice =
-                   maps_.find(fmt::format("{}{}", format.channels.front(), layers.size())))
+                   maps.find(fmt::format("{}{}", format.channels.front(), layers.size())))
             layers.push_back({slice});
     else
-        layers.push_back(channelsOf(format));
+        layers.push_back(channelsOf(format, maps));
     if (layers.empty())
         throw missing(format, format.channels.front());
     return layers;
@@ -189,13 +221,13 @@ textures::InputError ReliefMaps::missing(const ReliefMapFormat& format,
 }
 
 void ReliefMaps::require(std::string_view mapName) const {
-    static_cast<void>(layersOf(reliefMapFormat(mapName)));
+    static_cast<void>(layersOf(reliefMapFormat(mapName), maps()));
 }
 
 double ReliefMaps::number(std::string_view mapName) const {
     const ReliefMapNumber& number = reliefMapFormat(mapName).number;
-    const auto found = maps_.attributes.find(std::string(number.attribute));
-    if (found == maps_.attributes.end())
+    const auto found = maps().attributes.find(std::string(number.attribute));
+    if (found == maps().attributes.end())
         return number.otherwise;
     const std::string& text = found->second;
     double value = 0.0;
@@ -219,19 +251,29 @@ const gl::Texture& ReliefMaps::texture(std::string_view mapName) {
 }
 
 gl::Texture ReliefMaps::uploadLayers(const ReliefMapFormat& format) const {
-    const auto layers = layersOf(format);
-    const int count = static_cast<int>(layers.size());
+    const int count = static_cast<int>(layersOf(format, maps()).size());
     const bool isArray = format.form != ReliefMapForm::Plane;
-    gl::Texture texture(maps_.width(), maps_.height(), format.internalFormat, isArray ? count : 0);
-    for (int layer = 0; layer < count; ++layer)
-        texture.upload(interleave(layers[static_cast<std::size_t>(layer)]),
-                       static_cast<int>(format.channels.size()), layer);
-    texture.setSampling(glWrapMode(maps_.wrap), format.filter);
+    gl::Texture texture(maps().width(), maps().height(), format.internalFormat, isArray ? count : 0,
+                        levelCount());
+    for (int level = 0; level < levelCount(); ++level) {
+        const auto layers = layersOf(format, levels_[static_cast<std::size_t>(level)]);
+        if (layers.size() != static_cast<std::size_t>(count))
+            throw textures::InputError(fmt::format(
+                "{}: its MIP level {} has {} layers of the map {}, expected {} as in the first one",
+                name_, level, layers.size(), format.name, count));
+        for (int layer = 0; layer < count; ++layer)
+            texture.upload(interleave(layers[static_cast<std::size_t>(layer)]),
+                           static_cast<int>(format.channels.size()), layer, level);
+    }
+    texture.setSampling(glWrapMode(maps().wrap), format.filter);
+    if (levelCount() > 1)
+        glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER,
+                            static_cast<GLint>(levelFilter(format)));
     return texture;
 }
 
 gl::Texture ReliefMaps::uploadPyramid(const ReliefMapFormat& format) const {
-    const textures::Plane cells = textures::leastDepthsOfCells(textures::depthMapOf(maps_));
+    const textures::Plane cells = textures::leastDepthsOfCells(textures::depthMapOf(maps()));
     textures::Plane padded(static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells.width))),
                            static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells.height))),
                            1.0f);

@@ -48,6 +48,8 @@ struct ReliefMapFormat {
     /// without cones.
     std::string_view cones = "";
     ReliefMapNumber number = {};
+    /// Whether a lookup between two MIP levels mixes them. A search stays in one of them.
+    bool blendsLevels = false;
 };
 
 /// All maps that can go to the GPU.
@@ -71,6 +73,10 @@ class ReliefMaps {
     /// `name` stands for the relief in error messages (usually its file). Throws
     /// textures::InputError when `maps` has no channel `depth`.
     ReliefMaps(textures::MapSet maps, std::string name);
+    /// A relief with its MIP levels, the first one first, as textures::readMapLevels gives them:
+    /// either that one alone, or each of half the size of the one before, rounded down, to 1×1.
+    /// Throws textures::InputError for other sizes.
+    ReliefMaps(std::vector<textures::MapSet> levels, std::string name);
 
     /// The texture of one map. Throws textures::InputError that names the channel the set lacks, or
     /// the kind of cones that it has instead of the one needed.
@@ -81,21 +87,25 @@ class ReliefMaps {
     /// Throws what `texture` would, without uploading anything.
     void require(std::string_view mapName) const;
 
-    [[nodiscard]] const textures::MapSet& maps() const noexcept { return maps_; }
+    /// Of the first level.
+    [[nodiscard]] const textures::MapSet& maps() const noexcept { return levels_.front(); }
+    /// MIP levels, from 1.
+    [[nodiscard]] int levelCount() const noexcept { return static_cast<int>(levels_.size()); }
 
   private:
-    /// The planes of each array layer of a map, or of its only one.
+    /// The planes of each array layer of a map, or of its only one, in one level.
     [[nodiscard]] std::vector<std::vector<const textures::Plane*>> layersOf(
-        const ReliefMapFormat& format) const;
-    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> sectors() const;
+        const ReliefMapFormat& format, const textures::MapSet& maps) const;
+    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> sectors(
+        const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<const textures::Plane*> channelsOf(
-        const ReliefMapFormat& format) const;
+        const ReliefMapFormat& format, const textures::MapSet& maps) const;
     [[nodiscard]] gl::Texture uploadLayers(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadPyramid(const ReliefMapFormat& format) const;
     [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
                                                std::string_view channel) const;
 
-    textures::MapSet maps_;
+    std::vector<textures::MapSet> levels_;
     std::string name_;
     std::map<std::string_view, gl::Texture> textures_;
 };

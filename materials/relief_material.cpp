@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/context.h"
@@ -72,6 +73,8 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
     if (maps.wrap == textures::WrapMode::Clamp && (reads("roof") || reads("pyramid")))
         result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
+    if (maps_->levelCount() > 1)
+        result.push_back({"RELIEVO_MIPS", "1"});
     return result;
 }
 
@@ -103,6 +106,12 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     setNumber("relievoDepthScale", false, static_cast<double>(depthScale));
     glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
                         glm::value_ptr(window));
+    if (maps_->levelCount() > 1) {
+        const glm::vec2 range =
+            glm::min(levels, glm::vec2(static_cast<float>(maps_->levelCount() - 1)));
+        glProgramUniform2fv(program, uniformLocation(program, "relievoLevels"), 1,
+                            glm::value_ptr(range));
+    }
     return unit;
 }
 

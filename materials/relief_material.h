@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
 #include <memory>
@@ -47,6 +48,9 @@ class ReliefMaterial {
     glm::vec4 window{
         -std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
         std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+    /// The first and the last MIP level that pixels may take, counted from 0; only a relief that
+    /// has levels looks at them.
+    glm::vec2 levels{0.0f, std::numeric_limits<float>::infinity()};
 
   private:
     /// Whether the technique's search reads the map of that name.

@@ -21,8 +21,12 @@ gl::Texture makeAlbedo(const Picture& picture, textures::WrapMode wrap) {
 }  // namespace
 
 SceneRenderer::SceneRenderer(textures::MapSet maps, const std::string& name, const Picture& albedo)
-    : depthMap_(textures::depthMapOf(maps)),
-      reliefMaps_(std::make_shared<materials::ReliefMaps>(std::move(maps), name)) {
+    : SceneRenderer(std::vector<textures::MapSet>{std::move(maps)}, name, albedo) {}
+
+SceneRenderer::SceneRenderer(std::vector<textures::MapSet> levels, const std::string& name,
+                             const Picture& albedo)
+    : depthMap_(textures::depthMapOf(levels.front())),
+      reliefMaps_(std::make_shared<materials::ReliefMaps>(std::move(levels), name)) {
     if (albedo.width > 0) {
         albedo_ = makeAlbedo(albedo, depthMap_.wrap);
         hasAlbedo_ = true;

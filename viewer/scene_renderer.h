@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
@@ -31,6 +32,9 @@ class SceneRenderer {
   public:
     /// `name` stands for the relief in error messages. An empty albedo means plain grey.
     SceneRenderer(textures::MapSet maps, const std::string& name, const Picture& albedo);
+    /// With the MIP levels of the relief, the first one first.
+    SceneRenderer(std::vector<textures::MapSet> levels, const std::string& name,
+                  const Picture& albedo);
 
     void setSurface(const surfaces::SurfaceMesh& mesh);
 

@@ -4,7 +4,9 @@
 // A technique whose maps have no levels defines RELIEVO_BASE_LEVEL before it includes this.
 
 #if defined(RELIEVO_MIPS) && !defined(RELIEVO_BASE_LEVEL)
-int reliefLevel = 0;  // to be set before the search
+int reliefLevel = 0;
+void reliefSelectLevel(int level) { reliefLevel = level; }
 #else
 const int reliefLevel = 0;
+void reliefSelectLevel(int level) {}
 #endif

@@ -1,5 +1,6 @@
 // What a renderer calls: include one file of techniques/ and then this one, and call traceRelief in
 // the fragment shader. Uniforms are set by relievo::materials::ReliefMaterial.
+#include "relievo/footprint.glsl"
 #include "relievo/maps.glsl"
 #include "relievo/ray.glsl"
 
@@ -12,6 +13,7 @@ struct ReliefFragment {
     vec3 position;    // of the hit, in world space
     vec3 normal;      // of the relief there, in world space, unit length
     vec3 tileNormal;  // the same in the tile's metric, z up
+    float level;      // of the maps that a pixel takes its shading from; it may lie between two
 };
 
 // The normal of the displaced surface, in step with the depth scale: the depth w·D (w = a·|tangent|)
@@ -29,14 +31,17 @@ bool reliefInWindow(vec2 uv) {
     return all(greaterThanEqual(uv, relievoWindow.xy)) && all(lessThanEqual(uv, relievoWindow.zw));
 }
 
-// Searches the relief on `surface` along `view` (unit length, away from the eye).
+// Searches the relief on `surface` along `view` (unit length, away from the eye). To be called where
+// neighbouring pixels come by too, when the maps have MIP levels: see relievo/footprint.glsl.
 ReliefFragment traceRelief(ReliefSurface surface, vec3 view) {
     ReliefFragment result;
     float aspect = reliefAspect();
+    result.level = reliefLevelFor(reliefFootprint(surface.uv, aspect));
+    reliefSelectLevel(int(result.level + 0.5));
     result.ray = makeReliefRay(surface, view, relievoDepthScale, relievoWindow, aspect);
     result.hit = searchRelief(result.ray);
     if (!reliefInWindow(result.hit.position.xy)) result.hit.outcome = RELIEVO_OUTCOME_MISS;
-    vec2 gradient = reliefGradient(result.hit.position.xy);
+    vec2 gradient = reliefGradient(result.hit.position.xy, result.level);
     result.position = surface.position + (result.hit.t * result.ray.worldLength) * view;
     result.normal = reliefWorldNormal(surface, gradient, aspect);
     result.tileNormal = normalize(vec3(relievoDepthScale * gradient, 1.0));

@@ -1,0 +1,34 @@
+// What a pixel covers of a surface, and the MIP level of a relief that belongs to it.
+#include "relievo/level.glsl"
+#include "relievo/maps.glsl"
+
+// The ellipse that a pixel covers, in tile widths in the metric. Across the view it is as wide as the
+// pixel itself, along the view it is longer the more the view grazes the surface.
+struct ReliefFootprint {
+    float longest;
+    float shortest;  // the size of a pixel at the surface, whatever the angle
+};
+
+// The singular values of ∂(u, ρ·v)/∂(x, y) on the screen. To be called where neighbouring pixels come by
+// too (outside of branches that they may not take): it compares their uv.
+ReliefFootprint reliefFootprint(vec2 uv, float aspect) {
+    vec2 across = dFdx(uv) * vec2(1.0, aspect);
+    vec2 down = dFdy(uv) * vec2(1.0, aspect);
+    float squares = dot(across, across) + dot(down, down);
+    float area = abs(across.x * down.y - across.y * down.x);
+    float difference = sqrt(max((squares - 2.0 * area) * (squares + 2.0 * area), 0.0));
+    float longest = sqrt(0.5 * (squares + difference));
+    return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0);
+}
+
+#ifdef RELIEVO_MIPS
+uniform vec2 relievoLevels;  // the first and the last level that may be used
+
+// The level whose texels are as large as the footprint; it may lie between two.
+float reliefLevelFor(ReliefFootprint footprint) {
+    float texels = footprint.shortest * float(textureSize(relievoDepthMap, 0).x);
+    return clamp(log2(max(texels, 1e-30)), relievoLevels.x, relievoLevels.y);
+}
+#else
+float reliefLevelFor(ReliefFootprint footprint) { return 0.0; }
+#endif
