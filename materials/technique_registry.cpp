@@ -84,13 +84,7 @@ constexpr TechniqueParameter kOcclusionParameters[] = {
     {"fewest-steps", "relievoFewestSteps", "equal steps along rays from straight above", 1, 4096, 8,
      true, false},
 };
-constexpr TechniqueParameter kConeParameters[] = {
-    kConeSteps,
-    kTolerance,
-    {"refinements", "relievoConeRefinements", "halvings of a step that pierced the surface", 0, 32,
-     10, true, false},
-};
-constexpr TechniqueParameter kRelaxedParameters[] = {kConeSteps, kTolerance, binarySteps(10)};
+constexpr TechniqueParameter kConeParameters[] = {kConeSteps, kTolerance, binarySteps(10)};
 constexpr TechniqueParameter kRelaxedSecantParameters[] = {kConeSteps, kTolerance, secantSteps(5)};
 constexpr TechniqueParameter kSkipParameters[] = {
     {"skip-steps", "relievoSkipSteps", "steps that a ray may take before it gives up", 1, 65536,
@@ -219,7 +213,7 @@ constexpr Technique kTechniques[] = {
      .origin = "Policarpo, Oliveira 2007",
      .file = "relievo/techniques/relaxed.glsl",
      .maps = kRelaxedMaps,
-     .parameters = kRelaxedParameters,
+     .parameters = kConeParameters,
      .errors = {{0.0, 0.000987}, {0.05, 0.00228}}},
     {.name = "relaxed-secant",
      .title = "relaxed cones and secant search",
@@ -228,6 +222,13 @@ constexpr Technique kTechniques[] = {
      .maps = kRelaxedMaps,
      .parameters = kRelaxedSecantParameters,
      .errors = {{0.0, 0.00222}, {0.233, 0.0143}}},
+    {.name = "quadtree",
+     .title = "quadtree displacement mapping",
+     .origin = "Drobot 2010",
+     .file = "relievo/techniques/quadtree.glsl",
+     .maps = kPyramidMaps,
+     .parameters = kPyramidParameters,
+     .errors = {{23.7, 1.88}, {38.0, 4.2}}},
     {.name = "pyramid",
      .title = "exact hits by a depth pyramid",
      .origin = "Oh, Ki, Lee 2006; Tevs, Ihrke, Seidel 2008",

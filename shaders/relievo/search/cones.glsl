@@ -1,4 +1,4 @@
-// Cones on the surface: each texel holds the widest one that stands on it (specification 3.1 and E3).
+// First phase by cones on the surface: each texel holds the widest one that stands on it (specification 3.1 and E3).
 //
 // Cones with a guarantee on the bilinear surface (RELIEVO_CONE_BILINEAR) hold for every apex in their
 // texel's square: the nearest one is taken. Cones of texel centres hold there only: between them the
@@ -33,10 +33,9 @@ float reliefConeStep(ReliefRay ray, float ratio, float gap) {
     return closing > 0.0 ? ratio * gap / closing : ray.end;
 }
 
-// Steps from cone to cone until a point is in the solid, or above it by no more than the tolerance: the
-// bracket is that point and the one before. Returns the outcome; the end of the bracket is the last
-// point reached.
-int reliefConeMarch(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
+// Steps from cone to cone until a point is in the solid, or off the surface by no more than the tolerance,
+// where the bracket is empty.
+int reliefFind(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
     bracket = ReliefBracket(0.0, 0.0, 0.0, 0.0);
     while (steps < relievoConeSteps) {
         vec3 point = reliefPoint(ray, bracket.inside);
@@ -44,7 +43,10 @@ int reliefConeMarch(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
         vec4 depths = reliefCornerDepths(cell);
         float gap = reliefInterpolate(cell, depths) - point.z;
         bracket.below = -gap;
-        if (gap <= relievoTolerance) return RELIEVO_OUTCOME_HIT;
+        if (gap <= relievoTolerance) {
+            if (gap >= -relievoTolerance) bracket.outside = bracket.inside;
+            return RELIEVO_OUTCOME_HIT;
+        }
         if (bracket.inside >= ray.end) return RELIEVO_OUTCOME_MISS;
         ++steps;
         bracket.outside = bracket.inside;
@@ -53,9 +55,4 @@ int reliefConeMarch(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
         bracket.inside = min(bracket.inside + reliefConeStep(ray, ratio, gap), ray.end);
     }
     return RELIEVO_OUTCOME_EXHAUSTED;
-}
-
-// Whether a march ended in the solid, so that the crossing is somewhere within the bracket.
-bool reliefIsPierced(int outcome, ReliefBracket bracket) {
-    return outcome == RELIEVO_OUTCOME_HIT && bracket.below > relievoTolerance;
 }

@@ -2,17 +2,7 @@
 // the ray leaves the cone below it (Dummer 2006; radius form and metric: specification 3.1 and E3).
 //
 // With cones guaranteed on the bilinear surface no step passes the first hit. Cones of texel centres may
-// pierce curved cells: such a step is bisected.
+// pierce curved cells: such a step is halved.
+#include "relievo/search/two_phases.glsl"
 #include "relievo/search/cones.glsl"
-#include "relievo/search/result.glsl"
-
-uniform int relievoConeRefinements;  // bisections of a step that pierced the surface
-
-ReliefHit searchRelief(ReliefRay ray) {
-    ReliefBracket bracket;
-    int steps = 0;
-    int outcome = reliefConeMarch(ray, bracket, steps);
-    if (reliefIsPierced(outcome, bracket))
-        reliefBisect(ray, relievoConeRefinements, bracket, steps);
-    return reliefResult(ray, bracket.inside, outcome, steps);
-}
+#include "relievo/search/binary.glsl"

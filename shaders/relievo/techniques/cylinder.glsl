@@ -1,8 +1,9 @@
 // Cylinder tracing: within the radius of a texel's cylinder a ray pierces the relief at most once, so it may
 // go that far, and binary search finds the crossing (Baboud, Décoret 2006). The radii of the map hold on
 // the bilinear surface, but for dips more shallow than its tolerance.
-#include "relievo/maps.glsl"
-#include "relievo/ray.glsl"
+#include "relievo/search/two_phases.glsl"
+#include "relievo/search/skip.glsl"
+#include "relievo/search/binary.glsl"
 
 uniform sampler2D relievoCylinderMap;  // radius in tile widths
 
@@ -11,5 +12,3 @@ float reliefFreeLength(ReliefRay ray, vec3 point) {
     float radius = textureLod(relievoCylinderMap, point.xy, float(reliefLevel)).r;
     return ray.speed > 0.0 ? radius / ray.speed : RELIEVO_MAXIMUM_REACH;
 }
-
-#include "relievo/search/skip.glsl"

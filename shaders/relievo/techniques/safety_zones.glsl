@@ -1,8 +1,9 @@
 // Dilation and erosion: each texel holds the least and the greatest depth around it, and above the least one
 // a ray may go to the border of that zone, or down to that depth (Kolb, Rezk-Salama 2005). Between the two
 // depths least steps are taken, and binary search within the one that pierced the surface.
-#include "relievo/maps.glsl"
-#include "relievo/ray.glsl"
+#include "relievo/search/two_phases.glsl"
+#include "relievo/search/skip.glsl"
+#include "relievo/search/binary.glsl"
 
 uniform sampler2D relievoExtremaMap;  // least and greatest depth within the reach, along both axes
 uniform int relievoReach;             // texels
@@ -21,5 +22,3 @@ float reliefFreeLength(ReliefRay ray, vec3 point) {
     float down = reliefAxisExit(point.y, ray.direction.y, low.y, high.y);
     return min(under, min(across, down));
 }
-
-#include "relievo/search/skip.glsl"

@@ -1,8 +1,9 @@
 // Sphere tracing in a distance volume: each step is as long as the nearest point of the relief is far
 // (Donnelly 2005). The volume's values hold for whole voxels, so that no step passes the surface; beside
 // it they are 0, and least steps and binary search take over.
-#include "relievo/maps.glsl"
-#include "relievo/ray.glsl"
+#include "relievo/search/two_phases.glsl"
+#include "relievo/search/skip.glsl"
+#include "relievo/search/binary.glsl"
 
 uniform sampler2DArray relievoVolumeMap;  // tile widths, a layer for each slice of depth
 uniform float relievoVolumeScale;         // a of the relief for which it was made
@@ -17,5 +18,3 @@ float reliefFreeLength(ReliefRay ray, vec3 point) {
     return ray.depthScale > 0.0 ? distance * scale * reliefDepthLength(ray) / ray.depthScale
                                 : RELIEVO_MAXIMUM_REACH;
 }
-
-#include "relievo/search/skip.glsl"
