@@ -170,6 +170,8 @@ ReliefMaps::ReliefMaps(std::vector<textures::MapSet> levels, std::string name)
     assert(!levels_.empty());
     requireWholeChain(levels_, name_);
     require("depth");
+    const auto [least, greatest] = std::ranges::minmax_element(maps().find("depth")->texels);
+    depthRange_ = {*least, *greatest};
 }
 
 std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat& format,

@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <glm/vec2.hpp>
 #include <map>
 #include <span>
 #include <string>
@@ -91,6 +92,8 @@ class ReliefMaps {
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return levels_.front(); }
     /// MIP levels, from 1.
     [[nodiscard]] int levelCount() const noexcept { return static_cast<int>(levels_.size()); }
+    /// The least and the greatest depth of the relief.
+    [[nodiscard]] glm::vec2 depthRange() const noexcept { return depthRange_; }
 
   private:
     /// The planes of each array layer of a map, or of its only one, in one level.
@@ -107,6 +110,7 @@ class ReliefMaps {
 
     std::vector<textures::MapSet> levels_;
     std::string name_;
+    glm::vec2 depthRange_;
     std::map<std::string_view, gl::Texture> textures_;
 };
 

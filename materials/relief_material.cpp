@@ -103,6 +103,10 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
         const TechniqueParameter& info = technique_->parameters[k];
         setNumber(info.uniform, info.isInteger, values_[k]);
     }
+    // Only techniques that know how deep the relief is have this one.
+    const GLint range = glGetUniformLocation(program, "relievoDepthRange");
+    if (range >= 0)
+        glProgramUniform2fv(program, range, 1, glm::value_ptr(maps_->depthRange()));
     setNumber("relievoDepthScale", false, static_cast<double>(depthScale));
     glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
                         glm::value_ptr(window));

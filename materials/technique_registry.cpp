@@ -97,9 +97,20 @@ constexpr TechniqueParameter kPyramidParameters[] = {
     {"pyramid-steps", "relievoPyramidSteps", "nodes that a ray may visit before it gives up", 1,
      65536, 16384, true, true},
 };
-constexpr TechniqueParameter kExactParameters[] = {
-    {"exact-steps", "relievoExactSteps", "cones and cells that a ray may cross before it gives up",
-     1, 65536, 16384, true, true},
+constexpr TechniqueParameter kExactSteps = {
+    "exact-steps",
+    "relievoExactSteps",
+    "cones and cells that a ray may cross before it gives up",
+    1,
+    65536,
+    16384,
+    true,
+    true};
+constexpr TechniqueParameter kExactParameters[] = {kExactSteps};
+constexpr TechniqueParameter kAutoParameters[] = {
+    kExactSteps,
+    {"pixel-error", "relievoPixelError", "pixels by which a point may be out of place", 0.001, 64,
+     0.5, false, false},
 };
 
 constexpr Technique kTechniques[] = {
@@ -243,6 +254,13 @@ constexpr Technique kTechniques[] = {
      .maps = kRoofMaps,
      .parameters = kExactParameters,
      .errors = {{0.0, 1e-5}, {0.0, 1e-5}}},
+    {.name = "auto",
+     .title = "no more than can be seen",
+     .origin = "ours",
+     .file = "relievo/techniques/auto.glsl",
+     .maps = kRoofMaps,
+     .parameters = kAutoParameters,
+     .errors = {{0.0, 1.0}, {0.0, 1.0}}},
 };
 
 constexpr Technique kGivenHits = {.name = "reference",
@@ -251,6 +269,13 @@ constexpr Technique kGivenHits = {.name = "reference",
                                   .file = "relievo/techniques/given.glsl",
                                   .maps = kDepthMaps,
                                   .parameters = {}};
+
+constexpr Technique kMiddle = {.name = "middle",
+                               .title = "middle plane",
+                               .origin = "ours",
+                               .file = "relievo/techniques/middle.glsl",
+                               .maps = kDepthMaps,
+                               .parameters = {}};
 
 template <typename Entry>
 std::string namesOf(std::span<const Entry> entries) {
@@ -268,6 +293,10 @@ std::span<const Technique> techniques() {
 
 const Technique& givenHitsTechnique() {
     return kGivenHits;
+}
+
+const Technique& middleTechnique() {
+    return kMiddle;
 }
 
 const Technique& findTechnique(std::string_view name) {

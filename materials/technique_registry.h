@@ -51,6 +51,11 @@ std::span<const Technique> techniques();
 /// `relievoGivenHits` (u, v, z, t; t < 0 for a miss), a texture of the frame's size. Not listed.
 const Technique& givenHitsTechnique();
 
+/// What `auto` comes to where half of the relief's depth is less than its target all over what is
+/// drawn: the plane halfway through the relief, without a search or its maps. Not listed; see
+/// detail_choice.h.
+const Technique& middleTechnique();
+
 /// The technique called `name`. Throws textures::InputError, listing the names, for an unknown one.
 const Technique& findTechnique(std::string_view name);
 

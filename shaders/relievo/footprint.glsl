@@ -1,6 +1,7 @@
 // What a pixel covers of a surface, and the MIP level of a relief that belongs to it.
 #include "relievo/level.glsl"
 #include "relievo/maps.glsl"
+#include "relievo/ray.glsl"
 
 // The ellipse that a pixel covers, in tile widths in the metric. Across the view it is as wide as the
 // pixel itself, along the view it is longer the more the view grazes the surface.
@@ -19,6 +20,11 @@ ReliefFootprint reliefFootprint(vec2 uv, float aspect) {
     float difference = sqrt(max((squares - 2.0 * area) * (squares + 2.0 * area), 0.0));
     float longest = sqrt(0.5 * (squares + difference));
     return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0);
+}
+
+// How many pixels a depth of 1 is long where it is seen from the side.
+float reliefPixelsPerDepth(ReliefFootprint footprint, float depthScale) {
+    return min(depthScale / max(footprint.shortest, 1e-30), kReliefBoundless);
 }
 
 #ifdef RELIEVO_MIPS

@@ -36,9 +36,11 @@ bool reliefInWindow(vec2 uv) {
 ReliefFragment traceRelief(ReliefSurface surface, vec3 view) {
     ReliefFragment result;
     float aspect = reliefAspect();
-    result.level = reliefLevelFor(reliefFootprint(surface.uv, aspect));
+    ReliefFootprint footprint = reliefFootprint(surface.uv, aspect);
+    result.level = reliefLevelFor(footprint);
     reliefSelectLevel(int(result.level + 0.5));
     result.ray = makeReliefRay(surface, view, relievoDepthScale, relievoWindow, aspect);
+    result.ray.pixelsPerDepth = reliefPixelsPerDepth(footprint, relievoDepthScale);
     result.hit = searchRelief(result.ray);
     if (!reliefInWindow(result.hit.position.xy)) result.hit.outcome = RELIEVO_OUTCOME_MISS;
     vec2 gradient = reliefGradient(result.hit.position.xy, result.level);

@@ -5,6 +5,9 @@
 // |(du, ρ·dv, dz)| with ρ = height/width of the map, in which texels are square.
 #include "relievo/constants.h"
 
+// More than any length, number of pixels or ratio.
+const float kReliefBoundless = 1e30;
+
 struct ReliefRay {
     vec3 origin;      // (u, v, z) where the ray enters the relief
     vec3 direction;   // (du, dv, dz) per unit of t, of length 1 in the metric
@@ -12,6 +15,7 @@ struct ReliefRay {
     float end;        // t at which the ray leaves the window or reaches the bottom
     float worldLength;  // length of one unit of t along the ray, in world units
     float depthScale;   // a: depth of D = 1, in tile widths
+    float pixelsPerDepth;  // how many pixels a depth of 1 is long; kReliefBoundless when unknown
 };
 
 struct ReliefHit {
@@ -85,6 +89,7 @@ ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4
     ray.speed = length(vec2(ray.direction.x, aspect * ray.direction.y));
     ray.worldLength = norm > 0.0 ? worldDepth / norm : 0.0;
     ray.depthScale = depthScale;
+    ray.pixelsPerDepth = kReliefBoundless;
     float end = ray.speed > 0.0 ? RELIEVO_MAXIMUM_REACH / ray.speed : RELIEVO_MAXIMUM_REACH;
     end = min(end, reliefAxisExit(ray.origin.x, ray.direction.x, window.x, window.z));
     end = min(end, reliefAxisExit(ray.origin.y, ray.direction.y, window.y, window.w));

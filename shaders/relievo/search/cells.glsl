@@ -8,9 +8,6 @@
 #include "relievo/ray.glsl"
 #include "relievo/search/result.glsl"
 
-// Later than any ray ends.
-const float kReliefNever = 1e30;
-
 struct ReliefWalk {
     vec2 start;     // the ray's origin in texels from the first cell, in [0,1)² but in a clamped map
     vec2 speed;     // texels per unit of t
@@ -29,10 +26,10 @@ float reliefSpanExit(int advance, int cell, int size, int before, int after, flo
     bool isForward = speed > 0.0;
 #ifdef RELIEVO_WRAP_CLAMP
     // Outside a clamped tile one cell reaches to infinity.
-    if (isForward ? cell >= size - 1 : cell < 0) return kReliefNever;
+    if (isForward ? cell >= size - 1 : cell < 0) return kReliefBoundless;
 #endif
     int border = isForward ? advance + after + 1 : advance - before;
-    return speed == 0.0 ? kReliefNever : (float(border) - start) / speed;
+    return speed == 0.0 ? kReliefBoundless : (float(border) - start) / speed;
 }
 
 // The t at which the walk's ray leaves the cells from `before` before the current one to `after` after it,
@@ -106,7 +103,7 @@ int reliefModulo(int cell, int period) {
 }
 
 // The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
-// there; kReliefNever when it leaves the cell above it, or up to a rounding below. A ray that enters
+// there; kReliefBoundless when it leaves the cell above it, or up to a rounding below. A ray that enters
 // below the surface, which rounding may cause, meets it at once.
 float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     ++reliefFetchCount;
@@ -125,13 +122,13 @@ float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     float q2 = -twist * walk.speed.x * walk.speed.y;
     if (q0 >= 0.0) return walk.t;
     float discriminant = q1 * q1 - 4.0 * q2 * q0;
-    if (discriminant < 0.0) return kReliefNever;
+    if (discriminant < 0.0) return kReliefBoundless;
     // The first positive root in the form in which nothing cancels.
     float root = sqrt(discriminant);
     float numerator = q1 >= 0.0 ? -2.0 * q0 : root - q1;
     float denominator = q1 >= 0.0 ? q1 + root : 2.0 * q2;
-    float s = denominator > 0.0 ? numerator / denominator : kReliefNever;
-    return walk.t + s <= walk.exit ? walk.t + s : kReliefNever;
+    float s = denominator > 0.0 ? numerator / denominator : kReliefBoundless;
+    return walk.t + s <= walk.exit ? walk.t + s : kReliefBoundless;
 }
 
 // All that is left of a ray is free. At the bottom everything is solid, whatever rounding made of the

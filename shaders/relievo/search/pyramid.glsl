@@ -11,7 +11,7 @@ uniform sampler2D relievoPyramidMap;  // level k: nodes of 2ᵏ × 2ᵏ cells
 uniform int relievoPyramidSteps;
 
 // The t at which the ray hits the relief within the walk's cell, in which it is no higher than the highest
-// corner from `under` to `exit`; kReliefNever when it does not.
+// corner from `under` to `exit`; kReliefBoundless when it does not.
 float reliefHitInLeaf(ReliefRay ray, ReliefWalk walk, float under, float exit);
 
 // The node of a level that holds a cell, along one axis, and how many of its cells lie before that one
@@ -62,7 +62,7 @@ ReliefNode reliefNode(ReliefRay ray, ReliefWalk walk, int level) {
     float z = ray.origin.z + walk.t * ray.direction.z;
     float under = z >= least              ? walk.t
                   : ray.direction.z > 0.0 ? walk.t + (least - z) / ray.direction.z
-                                          : kReliefNever;
+                                          : kReliefBoundless;
     return ReliefNode(under, max(min(exits.x, exits.y), walk.t));
 }
 

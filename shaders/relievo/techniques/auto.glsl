@@ -1,0 +1,41 @@
+// As much of a search as the picture shows (ours): points may be out of place by a fraction of a pixel.
+//
+// - Where half of the relief's depth is less than that, the plane halfway through it will do, and nothing
+//   is looked up.
+// - Everywhere else roof cones lead to the first hit, between the least and the greatest depth of the
+//   relief only, and no further than to where what is left of the depth is less than the target.
+// - In between the hit turns into that plane, so that no border is seen. With half of the depth n times
+//   the target, n from 1 to 2, the error is at most (2 − n)·n times the target, which is not above it.
+//
+// Error: relievoPixelError. Cost: that of techniques/exact.glsl or less.
+#include "relievo/search/middle.glsl"
+#include "relievo/search/roofs.glsl"
+
+uniform float relievoPixelError;  // pixels by which a point may be out of place
+
+// Searches from the least depth of the relief to `bottom`: what comes as deep as that is a hit there.
+ReliefHit reliefSearchBetween(ReliefRay ray, float bottom) {
+    // A ray that does not come down has no such part.
+    if (ray.direction.z <= 0.0) return reliefSearchRoofs(ray);
+    float lead = relievoDepthRange.x / ray.direction.z;
+    float end = min(max(bottom, relievoDepthRange.x) / ray.direction.z, ray.end);
+    if (lead > ray.end) return reliefResult(ray, ray.end, RELIEVO_OUTCOME_MISS, 0);
+    ReliefRay part = ray;
+    part.origin = reliefPoint(ray, lead);
+    part.end = end - lead;
+    ReliefHit hit = reliefSearchRoofs(part);
+    if (hit.outcome == RELIEVO_OUTCOME_MISS && end < ray.end) hit.outcome = RELIEVO_OUTCOME_HIT;
+    return reliefResult(ray, lead + hit.t, hit.outcome, hit.steps);
+}
+
+ReliefHit searchRelief(ReliefRay ray) {
+    float halfDepth = 0.5 * (relievoDepthRange.y - relievoDepthRange.x);
+    float targets = halfDepth * ray.pixelsPerDepth / relievoPixelError;
+    ReliefHit middle = reliefMiddle(ray);
+    if (targets <= 1.0) return middle;
+    ReliefHit hit = reliefSearchBetween(ray, relievoDepthRange.y - halfDepth / targets);
+    float found = min(targets - 1.0, 1.0);
+    if (found < 1.0 && hit.outcome == RELIEVO_OUTCOME_HIT && middle.outcome == RELIEVO_OUTCOME_HIT)
+        return reliefResult(ray, mix(middle.t, hit.t, found), RELIEVO_OUTCOME_HIT, hit.steps);
+    return hit;
+}
