@@ -14,12 +14,12 @@ glm::dvec3 row(const glm::mat4& matrix, int index) {
 }
 
 // The least w of the clip coordinates of the box, which is linear, so at a corner.
-double leastW(const WorldBounds& bounds, const glm::mat4& matrix) {
+double leastW(const surfaces::SurfaceExtent& extent, const glm::mat4& matrix) {
     double least = matrix[3][3];
     for (int axis = 0; axis < 3; ++axis)
         least += std::min(
-            static_cast<double>(matrix[axis][3]) * static_cast<double>(bounds.minimum[axis]),
-            static_cast<double>(matrix[axis][3]) * static_cast<double>(bounds.maximum[axis]));
+            static_cast<double>(matrix[axis][3]) * static_cast<double>(extent.minimum[axis]),
+            static_cast<double>(matrix[axis][3]) * static_cast<double>(extent.maximum[axis]));
     return least;
 }
 
@@ -27,8 +27,8 @@ double leastW(const WorldBounds& bounds, const glm::mat4& matrix) {
 
 // A point x = (row 0·p)/(row 3·p) of the picture, in [−1,1], moves along a unit vector n by
 // (row 0·n − x·row 3·n)/w, which is at most (|row 0| + |row 3|)/w; a pixel is 2/pixels of that.
-double greatestShift(const WorldBounds& bounds, const DrawnView& view, double length) {
-    const double w = leastW(bounds, view.viewProjection);
+double greatestShift(const surfaces::SurfaceExtent& extent, const DrawnView& view, double length) {
+    const double w = leastW(extent, view.viewProjection);
     if (!(w > 0.0))
         return std::numeric_limits<double>::infinity();
     const double depth = glm::length(row(view.viewProjection, 3));
@@ -37,17 +37,15 @@ double greatestShift(const WorldBounds& bounds, const DrawnView& view, double le
     return length * glm::length(0.5 * glm::dvec2(view.pixels) * shift) / w;
 }
 
-const Technique& techniqueForDraw(const ReliefMaterial& material, const WorldBounds& bounds,
-                                  const DrawnView& view, double tileWidth) {
-    const Technique& technique = material.technique();
-    if (&technique != &findTechnique("auto"))
-        return technique;
+ReliefMaterial materialForDraw(const ReliefMaterial& material,
+                               const surfaces::SurfaceExtent& extent, const DrawnView& view) {
+    if (&material.technique() != &findTechnique("auto"))
+        return material;
     const glm::dvec2 range(material.maps().depthRange());
-    const double halfDepth =
-        0.5 * (range.y - range.x) * static_cast<double>(material.depthScale) * tileWidth;
-    return greatestShift(bounds, view, halfDepth) <= material.parameter("pixel-error")
-               ? middleTechnique()
-               : technique;
+    const double halfDepth = 0.5 * (range.y - range.x) * static_cast<double>(material.depthScale) *
+                             static_cast<double>(extent.widestTile);
+    const bool isFar = greatestShift(extent, view, halfDepth) <= material.parameter("pixel-error");
+    return isFar ? material.shownBy(middleTechnique()) : material;
 }
 
 }  // namespace relievo::materials

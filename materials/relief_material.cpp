@@ -38,6 +38,14 @@ ReliefMaterial::ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique
         values_.push_back(parameter.defaultValue);
 }
 
+ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
+    ReliefMaterial other(maps_, technique);
+    other.depthScale = depthScale;
+    other.window = window;
+    other.levels = levels;
+    return other;
+}
+
 void ReliefMaterial::setParameter(std::string_view name, double value) {
     const TechniqueParameter& info = findParameter(*technique_, name);
     const bool whole = std::nearbyint(value) == value;
@@ -104,9 +112,9 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
         setNumber(info.uniform, info.isInteger, values_[k]);
     }
     // Only techniques that know how deep the relief is have this one.
-    const GLint range = glGetUniformLocation(program, "relievoDepthRange");
-    if (range >= 0)
-        glProgramUniform2fv(program, range, 1, glm::value_ptr(maps_->depthRange()));
+    const GLint depthRange = glGetUniformLocation(program, "relievoDepthRange");
+    if (depthRange >= 0)
+        glProgramUniform2fv(program, depthRange, 1, glm::value_ptr(maps_->depthRange()));
     setNumber("relievoDepthScale", false, static_cast<double>(depthScale));
     glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
                         glm::value_ptr(window));

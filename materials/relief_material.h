@@ -26,6 +26,10 @@ class ReliefMaterial {
     /// the technique or its shading needs.
     ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique);
 
+    /// The same relief in the same place by another technique, whose parameters take their
+    /// defaults. Throws as the constructor does.
+    [[nodiscard]] ReliefMaterial shownBy(const Technique& technique) const;
+
     /// Sets a parameter of the technique. Throws textures::InputError for an unknown name, a value
     /// out of range (the message says the range), or a fraction where an integer is expected.
     void setParameter(std::string_view name, double value);

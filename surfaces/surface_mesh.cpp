@@ -1,6 +1,8 @@
 #include "surfaces/surface_mesh.h"
 
+#include <algorithm>
 #include <cassert>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <utility>
@@ -24,6 +26,19 @@ void addFace(SurfaceMesh& mesh, glm::vec3 center, glm::vec3 right, glm::vec3 dow
 }
 
 }  // namespace
+
+SurfaceExtent extentOf(const SurfaceMesh& mesh) {
+    SurfaceExtent extent;
+    if (mesh.vertices.empty())
+        return extent;
+    extent.minimum = extent.maximum = mesh.vertices.front().position;
+    for (const SurfaceVertex& vertex : mesh.vertices) {
+        extent.minimum = glm::min(extent.minimum, vertex.position);
+        extent.maximum = glm::max(extent.maximum, vertex.position);
+        extent.widestTile = std::max(extent.widestTile, glm::length(vertex.tangent));
+    }
+    return extent;
+}
 
 SurfaceMesh makeQuad(Tiles tiles, float aspect) {
     assert(tiles.x > 0 && tiles.y > 0 && aspect > 0);

@@ -28,6 +28,16 @@ struct SurfaceMesh {
     glm::vec2 windowMaximum{1.0f};
 };
 
+/// How much room a surface takes in the world.
+struct SurfaceExtent {
+    glm::vec3 minimum{0.0f};  ///< corners of the box along the axes around all vertices
+    glm::vec3 maximum{0.0f};
+    float widestTile = 0.0f;  ///< the longest tangent
+};
+
+/// The extent of a mesh; that of an empty one is all zeros.
+SurfaceExtent extentOf(const SurfaceMesh& mesh);
+
 /// The number of times that a map is repeated across a face, in u and v; both > 0.
 using Tiles = glm::vec2;
 

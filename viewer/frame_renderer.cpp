@@ -1,8 +1,10 @@
 #include "viewer/frame_renderer.h"
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "materials/detail_choice.h"
 #include "shaders/relievo/constants.h"
 
 namespace relievo::viewer {
@@ -29,6 +31,16 @@ GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
     return unit;
 }
 
+// The object's material, as `auto` chooses it for this view.
+std::optional<materials::ReliefMaterial> chosenMaterial(const SceneObject& object,
+                                                        const Camera& camera, int width,
+                                                        int height) {
+    if (!object.material)
+        return std::nullopt;
+    return materials::materialForDraw(*object.material, object.surface->extent(),
+                                      {camera.viewProjection, glm::vec2(width, height)});
+}
+
 void drawObject(gl::Program& program, const SceneObject& object, const Camera& camera) {
     program.set("viewProjection", camera.viewProjection);
     program.set("eye", camera.eye);
@@ -53,7 +65,9 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
                          gl::Framebuffer& target) {
     prepare(target);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
-    for (const SceneObject& object : objects) {
+    for (SceneObject object : objects) {
+        const auto material = chosenMaterial(object, view.camera, target.width(), target.height());
+        object.material = material ? &*material : nullptr;
         gl::Program& program = shadedProgram(object, view);
         program.set("toLight", view.toLight);
         if (object.material) {
@@ -69,11 +83,13 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
     }
 }
 
-MeasuredFrame FrameRenderer::measure(const SceneObject& object, const FrameView& view, int width,
+MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, int width,
                                      int height) {
     gl::Framebuffer target = makeMeasuredTarget(width, height);
+    const auto material = chosenMaterial(object, view.camera, width, height);
+    object.material = &material.value();
     gl::Program& program =
-        programs_.get(kMeasured, object.material->technique().file, object.material->defines());
+        programs_.get(kMeasured, material->technique().file, material->defines());
     prepare(target);
     for (int attachment = 0; attachment < RELIEVO_OUTPUT_COUNT; ++attachment)
         target.clearColor(attachment, 0, 0, 0, 0);

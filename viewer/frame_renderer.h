@@ -40,7 +40,7 @@ class FrameRenderer {
     /// `target`.
     void draw(std::span<const SceneObject> objects, const FrameView& view, gl::Framebuffer& target);
     /// Records the searches of every pixel of one object, which has a relief.
-    MeasuredFrame measure(const SceneObject& object, const FrameView& view, int width, int height);
+    MeasuredFrame measure(SceneObject object, const FrameView& view, int width, int height);
 
   private:
     gl::Program& shadedProgram(const SceneObject& object, const FrameView& view);

@@ -10,7 +10,8 @@ namespace relievo::viewer {
 SurfaceBuffers::SurfaceBuffers(const surfaces::SurfaceMesh& mesh)
     : vertices_(std::as_bytes(std::span(mesh.vertices))),
       indices_(std::as_bytes(std::span(mesh.indices))),
-      indexCount_(static_cast<GLsizei>(mesh.indices.size())) {
+      indexCount_(static_cast<GLsizei>(mesh.indices.size())),
+      extent_(surfaces::extentOf(mesh)) {
     using surfaces::SurfaceVertex;
     const auto attribute = [&](GLuint location, int components, std::size_t offset) {
         vertexArray_.attribute(location, vertices_, components, sizeof(SurfaceVertex), offset);

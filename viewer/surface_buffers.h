@@ -14,11 +14,14 @@ class SurfaceBuffers {
     /// Draws all triangles with the current program.
     void draw() const;
 
+    [[nodiscard]] const surfaces::SurfaceExtent& extent() const noexcept { return extent_; }
+
   private:
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_;
     gl::Buffer indices_;
     GLsizei indexCount_ = 0;
+    surfaces::SurfaceExtent extent_;
 };
 
 }  // namespace relievo::viewer
