@@ -14,11 +14,26 @@ constexpr std::string_view kShaded = "relievo/programs/shaded.frag";
 constexpr std::string_view kPlain = "relievo/programs/plain.frag";
 constexpr std::string_view kMeasured = "relievo/programs/measured.frag";
 
-void prepare(gl::Framebuffer& target) {
+void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
+    const bool falls = fallsWithDistance(depth);
     target.bind();
-    target.clearDepth();
+    target.clearDepth(falls ? 0.0f : 1.0f);
+    glClipControl(GL_LOWER_LEFT, depth.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    glDepthRangef(depth.range.x, depth.range.y);
+    glDepthFunc(falls ? GL_GREATER : GL_LESS);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
+}
+
+// What every program of a relief is made with: also what it must know of the depth buffer
+// (relievo/trace.glsl).
+std::vector<shaders::Define> reliefDefines(const SceneObject& object, const Camera& camera) {
+    std::vector<shaders::Define> defines = object.material->defines();
+    if (camera.depth.zeroToOne)
+        defines.push_back({"RELIEVO_CLIP_ZERO_TO_ONE", "1"});
+    if (fallsWithDistance(camera.depth))
+        defines.push_back({"RELIEVO_DEPTH_REVERSED", "1"});
+    return defines;
 }
 
 // What every program of a relief needs. Returns the first texture unit that stays free.
@@ -53,7 +68,7 @@ void drawObject(gl::Program& program, const SceneObject& object, const Camera& c
 gl::Program& FrameRenderer::shadedProgram(const SceneObject& object, const FrameView& view) {
     if (!object.material)
         return programs_.get(kPlain, "", {});
-    std::vector<shaders::Define> defines = object.material->defines();
+    std::vector<shaders::Define> defines = reliefDefines(object, view.camera);
     if (object.albedo)
         defines.push_back({"RELIEVO_ALBEDO", "1"});
     if (view.markExhausted)
@@ -63,7 +78,7 @@ gl::Program& FrameRenderer::shadedProgram(const SceneObject& object, const Frame
 
 void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& view,
                          gl::Framebuffer& target) {
-    prepare(target);
+    prepare(target, view.camera.depth);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
     for (SceneObject object : objects) {
         const auto material = chosenMaterial(object, view.camera, target.width(), target.height());
@@ -89,8 +104,10 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
     const auto material = chosenMaterial(object, view.camera, width, height);
     object.material = &material.value();
     gl::Program& program =
-        programs_.get(kMeasured, material->technique().file, material->defines());
-    prepare(target);
+        programs_.get(kMeasured, material->technique().file, reliefDefines(object, view.camera));
+    prepare(target, view.camera.depth);
+    // Misses are recorded as well: they are as far away as what the depth buffer was cleared to.
+    glDepthFunc(fallsWithDistance(view.camera.depth) ? GL_GEQUAL : GL_LEQUAL);
     for (int attachment = 0; attachment < RELIEVO_OUTPUT_COUNT; ++attachment)
         target.clearColor(attachment, 0, 0, 0, 0);
     bindMaterial(program, object);

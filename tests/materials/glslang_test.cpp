@@ -14,9 +14,9 @@ namespace {
 // What a map may ask a technique's text to define.
 const std::vector<std::vector<shaders::Define>> kVariants = {
     {},
-    {{"RELIEVO_CONE_RADIUS", "1"}},
+    {{"RELIEVO_CONE_RADIUS", "1"}, {"RELIEVO_DEPTH_REVERSED", "1"}},
     {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
-    {{"RELIEVO_WRAP_CLAMP", "1"}},
+    {{"RELIEVO_WRAP_CLAMP", "1"}, {"RELIEVO_CLIP_ZERO_TO_ONE", "1"}},
     {{"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
@@ -68,7 +68,7 @@ out vec4 color;
 void main() {
     ReliefFragment relief = traceRelief(surface, view);
     color = vec4(blinnPhong(vec3(1.0), relief.normal, -view, -view, vec3(1.0)), 1.0);
-    gl_FragDepth = reliefWindowDepth(relief, viewProjection);
+    gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }
 )glsl";
     Glslang compiler;

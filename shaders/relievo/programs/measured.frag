@@ -1,6 +1,7 @@
 // What a search returned for every pixel, with the ray that it was given, for comparison with the
 // exact hit of the same ray.
 #include "relievo/material.glsl"
+#include "relievo/programs/depth_output.glsl"
 #include "relievo/programs/surface_input.glsl"
 
 uniform mat4 viewProjection;
@@ -10,7 +11,6 @@ layout(location = RELIEVO_OUTPUT_WORK) out vec4 workOutput;
 layout(location = RELIEVO_OUTPUT_ORIGIN) out vec4 originOutput;
 layout(location = RELIEVO_OUTPUT_DIRECTION) out vec4 directionOutput;
 layout(location = RELIEVO_OUTPUT_NORMAL) out vec4 normalOutput;
-layout(depth_greater) out float gl_FragDepth;
 
 void main() {
     ReliefFragment relief = traceRelief(surfaceInput(), surfaceView());
@@ -20,5 +20,5 @@ void main() {
     originOutput = vec4(relief.ray.origin, relief.ray.end);
     directionOutput = vec4(relief.ray.direction, relief.ray.worldLength);
     normalOutput = vec4(relief.tileNormal, 0.0);
-    gl_FragDepth = reliefWindowDepth(relief, viewProjection);
+    gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }

@@ -2,6 +2,7 @@
 #include "relievo/material.glsl"
 #include "relievo/blinn_phong.glsl"
 #include "relievo/programs/srgb.glsl"
+#include "relievo/programs/depth_output.glsl"
 #include "relievo/programs/surface_input.glsl"
 
 uniform mat4 viewProjection;
@@ -11,8 +12,6 @@ uniform sampler2D albedoMap;  // sRGB
 #endif
 
 layout(location = 0) out vec4 color;
-// A hit lies behind the surface that carries it, so the early depth test stays valid.
-layout(depth_greater) out float gl_FragDepth;
 
 void main() {
     vec2 uvX = dFdx(surfaceUv);
@@ -36,5 +35,5 @@ void main() {
     if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) shaded = vec3(1.0, 0.0, 1.0);
 #endif
     color = vec4(toSrgb(clamp(shaded, 0.0, 1.0)), 1.0);
-    gl_FragDepth = reliefWindowDepth(relief, viewProjection);
+    gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }

@@ -131,9 +131,7 @@ float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     return walk.t + s <= walk.exit ? walk.t + s : kReliefBoundless;
 }
 
-// All that is left of a ray is free. At the bottom everything is solid, whatever rounding made of the
-// last cell.
+// All that is left of a ray is free.
 ReliefHit reliefAtEnd(ReliefRay ray, int steps) {
-    bool isBottom = reliefPoint(ray, ray.end).z >= 1.0 - 1e-6;
-    return reliefResult(ray, ray.end, isBottom ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
+    return reliefResult(ray, ray.end, RELIEVO_OUTCOME_MISS, steps);
 }
