@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view kDepthChannels[] = {"depth"};
 constexpr std::string_view kDerivativeChannels[] = {"dx", "dy"};
+constexpr std::string_view kNormalChannels[] = {"nx", "ny", "nz"};
 constexpr std::string_view kConeChannels[] = {"cone"};
 constexpr std::string_view kRoofChannels[] = {"roof", "ratio"};
 
@@ -38,6 +39,13 @@ constexpr ReliefMapFormat kFormats[] = {
      .channels = kDerivativeChannels,
      .internalFormat = GL_RG32F,
      .filter = GL_LINEAR,
+     .blendsLevels = true},
+    {.name = "normal",
+     .sampler = "relievoNormalMap",
+     .channels = kNormalChannels,
+     .internalFormat = GL_RGB32F,
+     .filter = GL_LINEAR,
+     .number = {"relievo:normal-scale", "relievoNormalScale", false, 0.0},
      .blendsLevels = true},
     {.name = "cone",
      .sampler = "relievoConeMap",
@@ -226,11 +234,22 @@ void ReliefMaps::require(std::string_view mapName) const {
     static_cast<void>(layersOf(reliefMapFormat(mapName), maps()));
 }
 
+bool ReliefMaps::has(std::string_view mapName) const noexcept {
+    const auto channels = reliefMapFormat(mapName).channels;
+    return std::ranges::all_of(
+        channels, [&](std::string_view channel) { return maps().find(channel) != nullptr; });
+}
+
 double ReliefMaps::number(std::string_view mapName) const {
     const ReliefMapNumber& number = reliefMapFormat(mapName).number;
     const auto found = maps().attributes.find(std::string(number.attribute));
-    if (found == maps().attributes.end())
-        return number.otherwise;
+    if (found == maps().attributes.end()) {
+        if (number.attribute.empty() || number.otherwise > 0.0)
+            return number.otherwise;
+        throw textures::InputError(
+            fmt::format("{}: no attribute '{}', without which its map '{}' has no meaning", name_,
+                        number.attribute, mapName));
+    }
     const std::string& text = found->second;
     double value = 0.0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -34,7 +34,8 @@ struct ReliefMapNumber {
     std::string_view attribute;  ///< "relievo:block"; empty: there is none
     std::string_view uniform;    ///< in the shader library
     bool isInteger = false;
-    double otherwise = 0.0;  ///< what it is for a file without the attribute
+    /// What it is for a file without the attribute; 0: the file must have it.
+    double otherwise = 0.0;
 };
 
 /// How one map of a relief goes to the GPU. Adding a map kind is an entry in relief_maps.cpp.
@@ -83,10 +84,12 @@ class ReliefMaps {
     /// the kind of cones that it has instead of the one needed.
     const gl::Texture& texture(std::string_view mapName);
     /// The number that belongs to a map which has one. Throws textures::InputError when the file
-    /// has something else, or 0 or less.
+    /// has something else, or 0 or less, or lacks it where nothing can be assumed.
     [[nodiscard]] double number(std::string_view mapName) const;
     /// Throws what `texture` would, without uploading anything.
     void require(std::string_view mapName) const;
+    /// Whether the set has the channels of a map.
+    [[nodiscard]] bool has(std::string_view mapName) const noexcept;
 
     /// Of the first level.
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return levels_.front(); }

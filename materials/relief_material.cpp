@@ -28,12 +28,12 @@ GLint uniformLocation(GLuint program, std::string_view name) {
 }  // namespace
 
 ReliefMaterial::ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique)
-    : maps_(std::move(maps)), technique_(&technique) {
+    : maps_(std::move(maps)), technique_(&technique), slopes_(bestSlopeSource(*maps_)) {
     for (const std::string_view map : technique.maps) {
         maps_->require(map);
         static_cast<void>(maps_->number(map));
     }
-    maps_->require("derivative");
+    setSlopeSource(slopes_);
     for (const TechniqueParameter& parameter : technique.parameters)
         values_.push_back(parameter.defaultValue);
 }
@@ -43,6 +43,7 @@ ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
     other.depthScale = depthScale;
     other.window = window;
     other.levels = levels;
+    other.slopes_ = slopes_;
     return other;
 }
 
@@ -61,6 +62,15 @@ double ReliefMaterial::parameter(std::string_view name) const {
     return values_[static_cast<std::size_t>(&info - technique_->parameters.data())];
 }
 
+void ReliefMaterial::setSlopeSource(SlopeSource source) {
+    const std::string_view map = slopeSourceEntry(source).map;
+    if (!map.empty()) {
+        maps_->require(map);
+        static_cast<void>(maps_->number(map));
+    }
+    slopes_ = source;
+}
+
 bool ReliefMaterial::reads(std::string_view mapName) const {
     return std::ranges::find(technique_->maps, mapName) != technique_->maps.end();
 }
@@ -76,10 +86,13 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         if (maps.encoding == textures::ConeEncoding::Radius)
             result.push_back({"RELIEVO_CONE_RADIUS", "1"});
     }
-    // Mirrored tiles have mirrored slopes, whatever the search.
+    if (const SlopeSourceEntry& slopes = slopeSourceEntry(slopes_); !slopes.define.empty())
+        result.push_back({std::string(slopes.define), "1"});
+    // Mirrored tiles have mirrored slopes, and beyond clamped ones there are none, whatever the
+    // search.
     if (maps.wrap == textures::WrapMode::Mirror)
         result.push_back({"RELIEVO_WRAP_MIRROR", "1"});
-    if (maps.wrap == textures::WrapMode::Clamp && (reads("roof") || reads("pyramid")))
+    if (maps.wrap == textures::WrapMode::Clamp)
         result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
     if (maps_->levelCount() > 1)
         result.push_back({"RELIEVO_MIPS", "1"});
@@ -104,8 +117,8 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     };
     for (const std::string_view map : technique_->maps)
         bindMap(map);
-    if (!reads("derivative"))
-        bindMap("derivative");
+    if (const std::string_view map = slopeSourceEntry(slopes_).map; !map.empty())
+        bindMap(map);
 
     for (std::size_t k = 0; k < values_.size(); ++k) {
         const TechniqueParameter& info = technique_->parameters[k];

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "materials/relief_maps.h"
+#include "materials/slope_sources.h"
 #include "materials/technique_registry.h"
 #include "shaders/shader_library.h"
 
@@ -22,8 +23,8 @@ namespace relievo::materials {
 /// materials/examples/own_renderer.cpp.
 class ReliefMaterial {
   public:
-    /// Parameters take their defaults. Throws textures::InputError when `maps` lacks a channel that
-    /// the technique or its shading needs.
+    /// Parameters take their defaults, and slopes come from the best source that `maps` has. Throws
+    /// textures::InputError when `maps` lacks a channel that the technique needs.
     ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique);
 
     /// The same relief in the same place by another technique, whose parameters take their
@@ -34,6 +35,11 @@ class ReliefMaterial {
     /// out of range (the message says the range), or a fraction where an integer is expected.
     void setParameter(std::string_view name, double value);
     [[nodiscard]] double parameter(std::string_view name) const;
+
+    /// Takes the slopes from `source`, for shading and for searches that follow them. Throws
+    /// textures::InputError when the relief lacks its map, or the number that tells what it means.
+    void setSlopeSource(SlopeSource source);
+    [[nodiscard]] SlopeSource slopeSource() const noexcept { return slopes_; }
 
     /// What the shader text must define for this relief and technique.
     [[nodiscard]] std::vector<shaders::Define> defines() const;
@@ -62,6 +68,7 @@ class ReliefMaterial {
 
     std::shared_ptr<ReliefMaps> maps_;
     const Technique* technique_;
+    SlopeSource slopes_;
     std::vector<double> values_;  // one a parameter of the technique
 };
 

@@ -12,7 +12,6 @@ namespace relievo::materials {
 namespace {
 
 constexpr std::string_view kDepthMaps[] = {"depth"};
-constexpr std::string_view kSlopeMaps[] = {"depth", "derivative"};
 constexpr std::string_view kConeMaps[] = {"depth", "cone"};
 constexpr std::string_view kRelaxedMaps[] = {"depth", "relaxed-cone"};
 constexpr std::string_view kVolumeMaps[] = {"depth", "volume"};
@@ -139,14 +138,14 @@ constexpr Technique kTechniques[] = {
      .title = "slope-aware parallax mapping",
      .origin = "Premecz 2006",
      .file = "relievo/techniques/slope_aware.glsl",
-     .maps = kSlopeMaps,
+     .maps = kDepthMaps,
      .parameters = {},
      .errors = {{100.0, 6.1}, {100.0, 33.5}}},
     {.name = "iterative-parallax",
      .title = "iterative parallax mapping",
      .origin = "Premecz 2006",
      .file = "relievo/techniques/iterative_parallax.glsl",
-     .maps = kSlopeMaps,
+     .maps = kDepthMaps,
      .parameters = kParallaxParameters,
      .errors = {{36.7, 2.37}, {100.0, 14.2}}},
     {.name = "binary",

@@ -37,7 +37,8 @@ struct Technique {
     std::string_view title;   ///< on pictures and plots
     std::string_view origin;  ///< author and year
     std::string_view file;    ///< in the shader library
-    /// Names of the maps that the search reads (relief_maps.h). Shading reads `derivative` besides.
+    /// Names of the maps that the search reads (relief_maps.h). Slopes are no map of the search's,
+    /// even where it follows them: ReliefMaterial::setSlopeSource.
     std::span<const std::string_view> maps;
     std::span<const TechniqueParameter> parameters;
     ErrorBudget errors = {};

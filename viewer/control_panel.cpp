@@ -121,6 +121,22 @@ void fileList(WindowSettings& settings) {
     ImGui::EndCombo();
 }
 
+// Where slopes come from: the first entry leaves it to what the file has.
+void slopeList(ViewOptions& options) {
+    const std::string_view best = "best of the file";
+    const std::string_view shown =
+        options.normals ? materials::slopeSourceEntry(*options.normals).title : best;
+    ImGui::SetNextItemWidth(kSliderWidth);
+    if (!ImGui::BeginCombo("slopes", shown.data()))
+        return;
+    if (ImGui::Selectable(best.data(), !options.normals))
+        options.normals.reset();
+    for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
+        if (ImGui::Selectable(entry.title.data(), options.normals == entry.source))
+            options.normals = entry.source;
+    ImGui::EndCombo();
+}
+
 void sceneControls(WindowSettings& settings) {
     ViewOptions& options = settings.options;
     heading("scene");
@@ -135,6 +151,7 @@ void sceneControls(WindowSettings& settings) {
     ImGui::SliderFloat("light azimuth", &options.light.x, -180.0f, 180.0f, "%.0f°");
     ImGui::SetNextItemWidth(kSliderWidth);
     ImGui::SliderFloat("light elevation", &options.light.y, 0.0f, 90.0f, "%.0f°");
+    slopeList(options);
     int object = static_cast<int>(options.object);
     ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
     ImGui::SameLine();

@@ -44,6 +44,8 @@ materials::ReliefMaterial SceneRenderer::makeMaterial(const materials::Technique
 SceneObject SceneRenderer::objectIn(const View& view, materials::ReliefMaterial& material) const {
     material.depthScale = view.depthScale;
     material.window = view.window;
+    if (view.slopes)
+        material.setSlopeSource(*view.slopes);
     SceneObject object;
     object.surface = &surface_.value();
     object.material = &material;
@@ -76,7 +78,9 @@ MeasuredFrame SceneRenderer::measure(materials::ReliefMaterial& material, const 
 MeasuredFrame SceneRenderer::rays(const View& view, int width, int height) {
     // Normal mapping does no search: it is the cheapest way to get the rays.
     materials::ReliefMaterial material = makeMaterial(materials::findTechnique("normal"));
-    return measure(material, view, width, height);
+    View anySlopes = view;
+    anySlopes.slopes.reset();
+    return measure(material, anySlopes, width, height);
 }
 
 ReferenceFrame SceneRenderer::trace(const View& view, int width, int height) {

@@ -23,6 +23,9 @@ namespace relievo::viewer {
 struct View : FrameView {
     float depthScale = 0.1f;       ///< a, in tile widths
     glm::vec4 window{0, 0, 1, 1};  ///< minimum u, v, maximum u, v of the relief
+    /// Where slopes come from; none: the best source that the relief has. A source that it lacks is
+    /// refused with textures::InputError when something is drawn.
+    std::optional<materials::SlopeSource> slopes;
 };
 
 /// A relief on a surface, drawn with any technique: the frame of one object. Needs a current
@@ -60,7 +63,7 @@ class SceneRenderer {
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return reliefMaps_->maps(); }
 
   private:
-    /// The surface made of `material`, which takes the view's depth scale and window.
+    /// The surface made of `material`, which takes what the view says of it.
     SceneObject objectIn(const View& view, materials::ReliefMaterial& material) const;
 
     textures::DepthMap depthMap_;

@@ -97,6 +97,14 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
            "Direction towards the light: azimuth and elevation in degrees")
         ->type_name("AZ,EL")
         ->default_str("-50,40");
+    std::map<std::string, materials::SlopeSource> sources;
+    for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
+        sources.emplace(entry.name, entry.source);
+    app.add_option("--normals", options.normals,
+                   "Where slopes come from: the map of derivatives, stored normals (normal), or "
+                   "differences of depths (height); default the first of these that the file has")
+        ->transform(CLI::CheckedTransformer(sources).description(""))
+        ->type_name("derivative|normal|height");
     app.add_option("--albedo", options.albedo, "Colour image (sRGB) for the surface; default grey")
         ->type_name("FILE");
 }

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gl/context.h"
+#include "materials/slope_sources.h"
 #include "viewer/camera.h"
 
 namespace CLI {
@@ -40,6 +42,8 @@ struct ViewOptions {
     glm::vec2 light{-50.0f, 40.0f};  ///< azimuth and elevation in degrees
     int width = 512;
     int height = 512;
+    /// Where slopes come from; none: the best source that the file has.
+    std::optional<materials::SlopeSource> normals;
     std::filesystem::path albedo;     ///< empty: plain grey
     std::filesystem::path output;     ///< headless: the picture
     std::filesystem::path errorFile;  ///< headless: raw errors

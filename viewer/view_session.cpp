@@ -27,6 +27,7 @@ View makeView(const ViewOptions& options, float frameAspect) {
     // Both objects are one unit wide and hold tiles.x tiles; the scale counts tile widths.
     view.depthScale = options.depthScale;
     view.window = glm::vec4(0.0f, 0.0f, options.tiles.x, options.tiles.y);
+    view.slopes = options.normals;
     view.markExhausted = options.markExhausted;
     return view;
 }

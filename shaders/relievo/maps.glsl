@@ -3,8 +3,7 @@
 
 #include "relievo/platform.glsl"
 
-uniform sampler2D relievoDepthMap;       // D, linear filter, wrap mode of the map
-uniform sampler2D relievoDerivativeMap;  // ∂D/∂u, ∂D/∂v in the metric at a = 1, likewise
+uniform sampler2D relievoDepthMap;  // D, linear filter, wrap mode of the map
 
 int reliefFetchCount = 0;
 
@@ -29,24 +28,6 @@ float reliefDepth(vec2 uv) {
     ++reliefFetchCount;
     return textureLod(relievoDepthMap, uv, float(reliefLevel)).r;
 }
-
-// Gradient of D, in the metric at a = 1, as filtered for a level that may lie between two.
-vec2 reliefGradient(vec2 uv, float level) {
-    ++reliefFetchCount;
-    vec2 gradient = textureLod(relievoDerivativeMap, uv, level).rg;
-#ifdef RELIEVO_WRAP_MIRROR
-    // In a mirrored tile slopes along the mirrored axis are reversed, and between the last texel of a
-    // tile and the same texel beyond the border, half a texel away each, they pass through 0.
-    vec2 tile = floor(uv);
-    vec2 size = vec2(textureSize(relievoDerivativeMap, int(level)));
-    vec2 border = min(uv - tile, 1.0 - (uv - tile)) * size;
-    gradient *= (1.0 - 2.0 * mod(tile, 2.0)) * min(2.0 * border, 1.0);
-#endif
-    return gradient;
-}
-
-// That of the level that is searched.
-vec2 reliefGradient(vec2 uv) { return reliefGradient(uv, float(reliefLevel)); }
 
 // The bilinear cell that holds a point: the patch between four texel centres.
 struct ReliefCell {

@@ -1,5 +1,6 @@
 // What a renderer calls: include one file of techniques/ and then this one, and call traceRelief in
 // the fragment shader. Uniforms are set by relievo::materials::ReliefMaterial.
+#include "relievo/slopes.glsl"
 #include "relievo/trace.glsl"
 
 struct ReliefFragment {

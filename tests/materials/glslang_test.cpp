@@ -17,6 +17,9 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_CONE_RADIUS", "1"}, {"RELIEVO_DEPTH_REVERSED", "1"}},
     {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_WRAP_CLAMP", "1"}, {"RELIEVO_CLIP_ZERO_TO_ONE", "1"}},
+    {{"RELIEVO_SLOPES_FROM_NORMAL", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
+    {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}},
+    {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}, {"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};

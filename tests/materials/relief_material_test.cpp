@@ -66,8 +66,49 @@ TEST_F(ReliefMaterialTest, MissingChannelIsNamedWithTheFileAndTheRemedy) {
                     AllOf(HasSubstr("bricks.exr"), HasSubstr("\"cone\""), HasSubstr("--maps")));
     }
     EXPECT_THROW(ReliefMaps(flatMaps({"dx", "dy"}), "x.exr"), textures::InputError);
-    const auto noDerivative = std::make_shared<ReliefMaps>(flatMaps({"depth"}), "x.exr");
-    EXPECT_THROW(ReliefMaterial(noDerivative, findTechnique("normal")), textures::InputError);
+}
+
+TEST_F(ReliefMaterialTest, SlopesComeFromTheBestSourceOfTheFile) {
+    const auto bestOf = [](std::initializer_list<const char*> channels) {
+        textures::MapSet set = flatMaps(channels);
+        set.attributes["relievo:normal-scale"] = "0.1";
+        const auto maps = std::make_shared<ReliefMaps>(std::move(set), "x.exr");
+        return ReliefMaterial(maps, findTechnique("normal")).slopeSource();
+    };
+    EXPECT_EQ(bestOf({"depth", "dx", "dy", "nx", "ny", "nz"}), SlopeSource::Derivative);
+    EXPECT_EQ(bestOf({"depth", "dx", "nx", "ny", "nz"}), SlopeSource::Normal);
+    EXPECT_EQ(bestOf({"depth", "nx", "ny"}), SlopeSource::Height);
+}
+
+// A map that the slopes do not come from is neither bound nor in the program.
+TEST_F(ReliefMaterialTest, ProgramsReadNoOtherMapForSlopes) {
+    textures::MapSet set = flatMaps({"depth", "dx", "dy", "nx", "ny", "nz"});
+    set.attributes["relievo:normal-scale"] = "0.1";
+    ReliefMaterial material(std::make_shared<ReliefMaps>(set, "x.exr"), findTechnique("normal"));
+    for (const SlopeSourceEntry& entry : slopeSources()) {
+        SCOPED_TRACE(entry.name);
+        material.setSlopeSource(entry.source);
+        EXPECT_EQ(material.shownBy(findTechnique("linear")).slopeSource(), entry.source);
+        gl::Program& program =
+            programs_.get(kMeasured, material.technique().file, material.defines());
+        EXPECT_EQ(material.bind(program.id()), entry.map.empty() ? 1u : 2u);
+        for (const std::string_view map : {"derivative", "normal"})
+            EXPECT_EQ(program.hasUniform(reliefMapFormat(map).sampler), map == entry.map) << map;
+    }
+}
+
+TEST_F(ReliefMaterialTest, NormalsWithoutTheirScaleAreRefused) {
+    textures::MapSet set = flatMaps({"depth", "nx", "ny", "nz"});
+    for (const char* scale : {"", "0", "-1"}) {
+        if (*scale != 0)
+            set.attributes["relievo:normal-scale"] = scale;
+        try {
+            ReliefMaterial(std::make_shared<ReliefMaps>(set, "x.exr"), findTechnique("normal"));
+            FAIL() << "'" << scale << "' was accepted";
+        } catch (const textures::InputError& error) {
+            EXPECT_THAT(error.what(), AllOf(HasSubstr("x.exr"), HasSubstr("relievo:normal-scale")));
+        }
+    }
 }
 
 // Cone tracing in relaxed cones would pass first hits without a word.

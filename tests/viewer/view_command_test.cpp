@@ -10,6 +10,8 @@
 #include "materials/technique_registry.h"
 #include "tests/commands/process.h"
 #include "tests/viewer/map_fixture.h"
+#include "textures/map_file.h"
+#include "textures/sample_reliefs.h"
 #include "viewer/picture.h"
 
 namespace relievo::tests {
@@ -61,11 +63,37 @@ TEST_F(ViewCommandTest, HelpNamesEveryOption) {
     EXPECT_EQ(result.exitStatus, 0);
     EXPECT_EQ(result.errors, "");
     for (const char* option :
-         {"FILE",          "--technique", "--compare", "--set",     "--mesh",
-          "--depth-scale", "--tiles",     "--camera",  "--light",   "--albedo",
-          "--size",        "--headless",  "--output",  "--error",   "--mark-exhausted",
-          "--backend",     "--list",      "--quiet",   "--version", "Examples"})
+         {"FILE",     "--technique", "--compare",        "--set",     "--mesh",    "--depth-scale",
+          "--tiles",  "--camera",    "--light",          "--albedo",  "--size",    "--headless",
+          "--output", "--error",     "--mark-exhausted", "--normals", "--backend", "--list",
+          "--quiet",  "--version",   "Examples"})
         EXPECT_THAT(result.output, HasSubstr(option));
+}
+
+// A file with nothing but depths can be shown, shaded by their differences.
+TEST_F(ViewCommandTest, NormalsComeFromWhatTheFileHas) {
+    const std::string depths = inputs_.file("depths.exr");
+    textures::MapSet maps;
+    maps.channels = {{"depth", textures::generateSampleRelief("wave", 32, 32).depth}};
+    textures::writeMapFile(depths, maps, textures::StorageFormat::Float);
+    for (const std::string source : {"derivative", "height"}) {
+        const std::string picture = outputs_.file(source + ".png");
+        const ProcessResult result =
+            render(source == "height" ? depths : map(), picture, {"--technique", "relief"});
+        ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    }
+    EXPECT_EQ(
+        render(map(), outputs_.file("forced.png"), {"--technique", "relief", "--normals", "height"})
+            .exitStatus,
+        0);
+    EXPECT_EQ(readBytes(outputs_.file("height.png")), readBytes(outputs_.file("forced.png")));
+    EXPECT_EQ(readBytes(outputs_.file("height.png")), readBytes(outputs_.file("derivative.png")));
+}
+
+TEST_F(ViewCommandTest, NormalsThatTheFileLacksAreRefused) {
+    const std::vector<std::string> normals = {"--technique", "relief", "--normals", "normal"};
+    expectFailure(render(map(), outputs_.file("x.png"), normals), 1, "\"nx\"");
+    expectFailure(render(map(), outputs_.file("x.png"), {"--normals", "best"}), 2, "--normals");
 }
 
 TEST_F(ViewCommandTest, ListNamesTechniquesAndParameters) {

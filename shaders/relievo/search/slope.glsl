@@ -1,8 +1,8 @@
 // Parallax with the slope of the relief: the surface around a point is taken to be even, and as steep as it
 // is there (Premecz 2006; thesis 2.1.4). The division by the cosine between ray and normal is left out, as
 // in parallax with offset limiting: it has no bound.
-#include "relievo/maps.glsl"
 #include "relievo/ray.glsl"
+#include "relievo/slopes.glsl"
 
 // The t up to which a ray at t goes on: by how far it is above the surface, times the height of the unit
 // normal there. Within [0, end].
