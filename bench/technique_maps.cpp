@@ -6,8 +6,12 @@
 
 namespace relievo::bench {
 
-preprocess::ReliefPlan planFor(const materials::Technique& technique) {
-    materials::BakeWords words = materials::bakeWordsFor(technique.maps);
+preprocess::ReliefPlan planFor(const materials::Technique& technique,
+                               const materials::ShadowMethod* shadow) {
+    std::vector<std::string_view> maps(technique.maps.begin(), technique.maps.end());
+    if (shadow)
+        maps.insert(maps.end(), shadow->maps.begin(), shadow->maps.end());
+    materials::BakeWords words = materials::bakeWordsFor(maps);
     preprocess::ReliefPlan plan;
     plan.maps = std::move(words.maps);
     if (!words.cones.empty())

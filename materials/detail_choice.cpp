@@ -39,7 +39,9 @@ double greatestShift(const surfaces::SurfaceExtent& extent, const DrawnView& vie
 
 ReliefMaterial materialForDraw(const ReliefMaterial& material,
                                const surfaces::SurfaceExtent& extent, const DrawnView& view) {
-    if (&material.technique() != &findTechnique("auto"))
+    // Where light rays are searched the shadows show more of the relief than its depth.
+    const bool isAuto = &material.technique() == &findTechnique("auto");
+    if (!isAuto || (material.shadow() && material.shadow()->searches))
         return material;
     const glm::dvec2 range(material.maps().depthRange());
     const double halfDepth = 0.5 * (range.y - range.x) * static_cast<double>(material.depthScale) *

@@ -22,8 +22,8 @@ double greatestShift(const surfaces::SurfaceExtent& extent, const DrawnView& vie
 /// The material for one draw of a surface. That is `material`, unless its technique is `auto` and
 /// no point can be out of place by more than its `pixel-error` on the plane halfway through the
 /// relief: then it is that plane (middleTechnique), so that the program has no search and needs
-/// none of its maps. `auto` itself shows the same there, and turns into the plane before: the
-/// change cannot be seen.
+/// none of its maps; but not where light rays are searched for shadows. `auto` itself shows the
+/// same there, and turns into the plane before: the change cannot be seen.
 ReliefMaterial materialForDraw(const ReliefMaterial& material,
                                const surfaces::SurfaceExtent& extent, const DrawnView& view);
 

@@ -15,18 +15,19 @@ gl::ShaderText toShaderText(GLenum stage, shaders::ExpandedShader shader) {
 }  // namespace
 
 shaders::ExpandedShader expandFragment(std::string_view fragmentFile,
-                                       std::string_view techniqueFile,
+                                       const std::vector<std::string_view>& materialFiles,
                                        std::span<const shaders::Define> defines) {
     std::string text;
-    if (!techniqueFile.empty())
-        text = fmt::format("#include \"{}\"\n", techniqueFile);
+    for (const std::string_view file : materialFiles)
+        text += fmt::format("#include \"{}\"\n", file);
     text += fmt::format("#include \"{}\"\n", fragmentFile);
     return shaders::expandShader("fragment shader", text, kHeader, defines);
 }
 
-gl::Program& ProgramCache::get(std::string_view fragmentFile, std::string_view techniqueFile,
+gl::Program& ProgramCache::get(std::string_view fragmentFile,
+                               const std::vector<std::string_view>& materialFiles,
                                std::span<const shaders::Define> defines) {
-    shaders::ExpandedShader fragment = expandFragment(fragmentFile, techniqueFile, defines);
+    shaders::ExpandedShader fragment = expandFragment(fragmentFile, materialFiles, defines);
     if (const auto found = programs_.find(fragment.text); found != programs_.end())
         return found->second;
     const std::string vertex = fmt::format("#include \"{}\"\n", kVertexFile);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gl/program.h"
 #include "shaders/shader_library.h"
@@ -15,10 +16,12 @@ namespace relievo::materials {
 /// defines were given, nothing else.
 class ProgramCache {
   public:
-    /// The program of relievo/programs/surface.vert and `fragmentFile` with the technique in
-    /// `techniqueFile` (both paths of the shader library; no technique for ""). The reference stays
-    /// valid as long as the cache. Throws gl::GlError when the driver refuses the text.
-    gl::Program& get(std::string_view fragmentFile, std::string_view techniqueFile,
+    /// The program of relievo/programs/surface.vert and `fragmentFile` after the files of a
+    /// material (ReliefMaterial::files; none for a mesh without one), all paths of the shader
+    /// library. The reference stays valid as long as the cache. Throws gl::GlError when the driver
+    /// refuses the text.
+    gl::Program& get(std::string_view fragmentFile,
+                     const std::vector<std::string_view>& materialFiles,
                      std::span<const shaders::Define> defines);
 
     [[nodiscard]] std::size_t size() const noexcept { return programs_.size(); }
@@ -29,7 +32,7 @@ class ProgramCache {
 
 /// The fragment shader text that `ProgramCache` compiles, for tools that check or export it.
 shaders::ExpandedShader expandFragment(std::string_view fragmentFile,
-                                       std::string_view techniqueFile,
+                                       const std::vector<std::string_view>& materialFiles,
                                        std::span<const shaders::Define> defines);
 
 }  // namespace relievo::materials

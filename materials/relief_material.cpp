@@ -1,11 +1,13 @@
 #include "materials/relief_material.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 
 #include "gl/context.h"
 #include "textures/input_error.h"
@@ -25,17 +27,52 @@ GLint uniformLocation(GLuint program, std::string_view name) {
     return location;
 }
 
+// Throws textures::InputError when one is missing, or the number that belongs to it is wrong.
+void requireMaps(const ReliefMaps& maps, std::span<const std::string_view> names) {
+    for (const std::string_view name : names) {
+        maps.require(name);
+        static_cast<void>(maps.number(name));
+    }
+}
+
 }  // namespace
 
 ReliefMaterial::ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique)
     : maps_(std::move(maps)), technique_(&technique), slopes_(bestSlopeSource(*maps_)) {
-    for (const std::string_view map : technique.maps) {
-        maps_->require(map);
-        static_cast<void>(maps_->number(map));
-    }
+    requireMaps(*maps_, technique.maps);
     setSlopeSource(slopes_);
-    for (const TechniqueParameter& parameter : technique.parameters)
-        values_.push_back(parameter.defaultValue);
+    addParameters(technique.parameters);
+}
+
+void ReliefMaterial::addParameters(std::span<const TechniqueParameter> parameters) {
+    for (const TechniqueParameter& parameter : parameters)
+        values_.push_back({&parameter, parameter.defaultValue});
+}
+
+void ReliefMaterial::setShadow(const ShadowMethod* method) {
+    if (method && method->searches && !technique_->isSearch)
+        throw textures::InputError(
+            fmt::format("{} does not search, so that it cannot follow light rays for the shadow "
+                        "method \"{}\"; expected another technique or another method",
+                        technique_->title, method->name));
+    if (method)
+        requireMaps(*maps_, method->maps);
+    shadow_ = method;
+    values_.erase(values_.begin() + std::ssize(technique_->parameters), values_.end());
+    if (method)
+        addParameters(method->parameters);
+}
+
+const ReliefMaterial::ParameterValue& ReliefMaterial::find(std::string_view parameterName) const {
+    const auto nameOf = [](const ParameterValue& value) { return value.info->name; };
+    const auto found = std::ranges::find(values_, parameterName, nameOf);
+    if (found != values_.end())
+        return *found;
+    std::vector<std::string_view> names;
+    std::ranges::transform(values_, std::back_inserter(names), nameOf);
+    throw textures::InputError(fmt::format(
+        "technique {} has no parameter \"{}\", it has {}", technique_->name, parameterName,
+        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
@@ -44,22 +81,30 @@ ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
     other.window = window;
     other.levels = levels;
     other.slopes_ = slopes_;
+    other.setShadow(shadow_);
     return other;
 }
 
 void ReliefMaterial::setParameter(std::string_view name, double value) {
-    const TechniqueParameter& info = findParameter(*technique_, name);
+    const ParameterValue& parameter = find(name);
+    const TechniqueParameter& info = *parameter.info;
     const bool whole = std::nearbyint(value) == value;
     if (!(value >= info.minimum && value <= info.maximum) || (info.isInteger && !whole))
         throw textures::InputError(fmt::format(
             "{} {}: {} is not {} from {} to {}", technique_->name, name, value,
             info.isInteger ? "a whole number" : "a number", info.minimum, info.maximum));
-    values_[static_cast<std::size_t>(&info - technique_->parameters.data())] = value;
+    values_[static_cast<std::size_t>(&parameter - values_.data())].value = value;
 }
 
 double ReliefMaterial::parameter(std::string_view name) const {
-    const TechniqueParameter& info = findParameter(*technique_, name);
-    return values_[static_cast<std::size_t>(&info - technique_->parameters.data())];
+    return find(name).value;
+}
+
+std::vector<std::string_view> ReliefMaterial::files() const {
+    std::vector<std::string_view> result = {technique_->file};
+    if (shadow_)
+        result.push_back(shadow_->file);
+    return result;
 }
 
 void ReliefMaterial::setSlopeSource(SlopeSource source) {
@@ -73,6 +118,19 @@ void ReliefMaterial::setSlopeSource(SlopeSource source) {
 
 bool ReliefMaterial::reads(std::string_view mapName) const {
     return std::ranges::find(technique_->maps, mapName) != technique_->maps.end();
+}
+
+std::vector<std::string_view> ReliefMaterial::mapNames() const {
+    std::vector<std::string_view> names(technique_->maps.begin(), technique_->maps.end());
+    const auto add = [&](std::string_view name) {
+        if (std::ranges::find(names, name) == names.end())
+            names.push_back(name);
+    };
+    if (const std::string_view slopes = slopeSourceEntry(slopes_).map; !slopes.empty())
+        add(slopes);
+    if (shadow_)
+        std::ranges::for_each(shadow_->maps, add);
+    return names;
 }
 
 std::vector<shaders::Define> ReliefMaterial::defines() const {
@@ -96,6 +154,8 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         result.push_back({"RELIEVO_WRAP_CLAMP", "1"});
     if (maps_->levelCount() > 1)
         result.push_back({"RELIEVO_MIPS", "1"});
+    if (shadow_)
+        result.push_back({"RELIEVO_SHADOW", "1"});
     return result;
 }
 
@@ -115,15 +175,10 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
         if (!format.number.attribute.empty())
             setNumber(format.number.uniform, format.number.isInteger, maps_->number(name));
     };
-    for (const std::string_view map : technique_->maps)
+    for (const std::string_view map : mapNames())
         bindMap(map);
-    if (const std::string_view map = slopeSourceEntry(slopes_).map; !map.empty())
-        bindMap(map);
-
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-        const TechniqueParameter& info = technique_->parameters[k];
-        setNumber(info.uniform, info.isInteger, values_[k]);
-    }
+    for (const ParameterValue& parameter : values_)
+        setNumber(parameter.info->uniform, parameter.info->isInteger, parameter.value);
     // Only techniques that know how deep the relief is have this one.
     const GLint depthRange = glGetUniformLocation(program, "relievoDepthRange");
     if (depthRange >= 0)

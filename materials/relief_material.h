@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "materials/relief_maps.h"
+#include "materials/shadow_registry.h"
 #include "materials/slope_sources.h"
 #include "materials/technique_registry.h"
 #include "shaders/shader_library.h"
@@ -18,8 +19,8 @@ namespace relievo::materials {
 
 /// A relief shown with one technique: what a renderer needs to draw it with a program of its own.
 ///
-/// The renderer's fragment shader includes the technique's file and then "relievo/material.glsl",
-/// with `defines()` in front, and calls traceRelief; before drawing it calls `bind`. See
+/// The renderer's fragment shader includes `files()` and then "relievo/material.glsl", with
+/// `defines()` in front, and calls traceRelief; before drawing it calls `bind`. See
 /// materials/examples/own_renderer.cpp.
 class ReliefMaterial {
   public:
@@ -31,8 +32,14 @@ class ReliefMaterial {
     /// defaults. Throws as the constructor does.
     [[nodiscard]] ReliefMaterial shownBy(const Technique& technique) const;
 
-    /// Sets a parameter of the technique. Throws textures::InputError for an unknown name, a value
-    /// out of range (the message says the range), or a fraction where an integer is expected.
+    /// Lets the relief cast shadows on itself by `method` (which must stay there; null: none).
+    /// Throws textures::InputError when the maps lack a channel that it needs, or the technique
+    /// searches nothing that could be in the way of light.
+    void setShadow(const ShadowMethod* method);
+
+    /// Sets a parameter of the technique, or of the shadow method. Throws textures::InputError for
+    /// an unknown name, a value out of range (the message says the range), or a fraction where an
+    /// integer is expected.
     void setParameter(std::string_view name, double value);
     [[nodiscard]] double parameter(std::string_view name) const;
 
@@ -41,6 +48,8 @@ class ReliefMaterial {
     void setSlopeSource(SlopeSource source);
     [[nodiscard]] SlopeSource slopeSource() const noexcept { return slopes_; }
 
+    /// The files of the shader library that the shader text must include, in this order.
+    [[nodiscard]] std::vector<std::string_view> files() const;
     /// What the shader text must define for this relief and technique.
     [[nodiscard]] std::vector<shaders::Define> defines() const;
 
@@ -50,6 +59,8 @@ class ReliefMaterial {
     GLuint bind(GLuint program, GLuint firstUnit = 0) const;
 
     [[nodiscard]] const Technique& technique() const noexcept { return *technique_; }
+    /// The shadow method, or null.
+    [[nodiscard]] const ShadowMethod* shadow() const noexcept { return shadow_; }
     [[nodiscard]] const ReliefMaps& maps() const noexcept { return *maps_; }
 
     /// a: the depth of D = 1 in tile widths, ≥ 0. It may change every frame.
@@ -63,13 +74,24 @@ class ReliefMaterial {
     glm::vec2 levels{0.0f, std::numeric_limits<float>::infinity()};
 
   private:
+    struct ParameterValue {
+        const TechniqueParameter* info;
+        double value;
+    };
+
     /// Whether the technique's search reads the map of that name.
     [[nodiscard]] bool reads(std::string_view mapName) const;
+    /// The maps of the technique, the shading and the shadow method, each once.
+    [[nodiscard]] std::vector<std::string_view> mapNames() const;
+    void addParameters(std::span<const TechniqueParameter> parameters);
+    /// Throws textures::InputError, listing the names, for an unknown one.
+    [[nodiscard]] const ParameterValue& find(std::string_view parameterName) const;
 
     std::shared_ptr<ReliefMaps> maps_;
     const Technique* technique_;
     SlopeSource slopes_;
-    std::vector<double> values_;  // one a parameter of the technique
+    const ShadowMethod* shadow_ = nullptr;
+    std::vector<ParameterValue> values_;  // of the technique, then of the shadow method
 };
 
 }  // namespace relievo::materials

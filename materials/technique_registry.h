@@ -42,6 +42,9 @@ struct Technique {
     std::span<const std::string_view> maps;
     std::span<const TechniqueParameter> parameters;
     ErrorBudget errors = {};
+    /// Looks for what is in the way of a ray, wherever that begins and ends; light rays can be
+    /// searched with it.
+    bool isSearch = true;
 };
 
 /// All techniques, the cheapest first.

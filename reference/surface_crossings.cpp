@@ -91,6 +91,22 @@ std::vector<SurfaceCrossing> surfaceCrossings(const textures::DepthMap& map, con
     return crossings;
 }
 
+bool getsBelow(const textures::DepthMap& map, const TileRay& ray, double end, double tolerance) {
+    for (CellWalk walk = walkAlong(map, ray, end);; walk.step()) {
+        const BilinearCell cell = walk.surface();
+        if (walk.deepest() > cell.minimum + tolerance) {
+            const auto [q0, q1, q2] = walk.below(cell);
+            const double length = walk.exit() - walk.entry();
+            const double vertex = q2 < 0.0 ? std::clamp(-0.5 * q1 / q2, 0.0, length) : 0.0;
+            for (const double s : {0.0, vertex, length})
+                if (q0 + (q1 + q2 * s) * s > tolerance)
+                    return true;
+        }
+        if (walk.isLast())
+            return false;
+    }
+}
+
 Excursion deepestBelow(const textures::DepthMap& map, const TileRay& ray, double end) {
     Excursion deepest;
     const auto visit = [&](const Stretch& stretch) {

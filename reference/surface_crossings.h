@@ -25,6 +25,11 @@ struct SurfaceCrossing {
 std::vector<SurfaceCrossing> surfaceCrossings(const textures::DepthMap& map, const TileRay& ray,
                                               double end, double tolerance = kPiercingDepth);
 
+/// Whether the ray's piece 0 ≤ t ≤ `end` (finite) gets more than `tolerance` ≥ 0 of depth below the
+/// surface. Walks no further than to the first place where it does.
+bool getsBelow(const textures::DepthMap& map, const TileRay& ray, double end,
+               double tolerance = kPiercingDepth);
+
 /// How far a piece of a ray goes to one side of the surface, in depth, and where.
 struct Excursion {
     double depth = 0.0;  ///< 0: never

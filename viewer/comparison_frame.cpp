@@ -60,12 +60,19 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
+std::optional<RayKey::Light> lightKey(const ViewOptions& options) {
+    if (options.shadow == kNoShadow)
+        return std::nullopt;
+    return RayKey::Light{options.light, options.lightSize};
+}
+
 RayKey rayKey(const WindowSettings& settings, const gl::Framebuffer& pane) {
     return {settings.file,
             settings.options.object,
             settings.options.tiles,
             settings.options.depthScale,
             settings.options.camera,
+            lightKey(settings.options),
             pane.width(),
             pane.height()};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "materials/shadow_registry.h"
 #include "viewer/imgui_session.h"
 
 namespace relievo::viewer {
@@ -137,6 +138,18 @@ void slopeList(ViewOptions& options) {
     ImGui::EndCombo();
 }
 
+void shadowList(ViewOptions& options) {
+    ImGui::SetNextItemWidth(kSliderWidth);
+    if (!ImGui::BeginCombo("shadows", options.shadow.c_str()))
+        return;
+    if (ImGui::Selectable(kNoShadow, options.shadow == kNoShadow))
+        options.shadow = kNoShadow;
+    for (const materials::ShadowMethod& method : materials::shadowMethods())
+        if (ImGui::Selectable(method.name.data(), options.shadow == method.name))
+            options.shadow = method.name;
+    ImGui::EndCombo();
+}
+
 void sceneControls(WindowSettings& settings) {
     ViewOptions& options = settings.options;
     heading("scene");
@@ -152,6 +165,9 @@ void sceneControls(WindowSettings& settings) {
     ImGui::SetNextItemWidth(kSliderWidth);
     ImGui::SliderFloat("light elevation", &options.light.y, 0.0f, 90.0f, "%.0f°");
     slopeList(options);
+    shadowList(options);
+    ImGui::SetNextItemWidth(kSliderWidth);
+    ImGui::SliderFloat("light size", &options.lightSize, 0.0f, 30.0f, "%.1f°");
     int object = static_cast<int>(options.object);
     ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
     ImGui::SameLine();

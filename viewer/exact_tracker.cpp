@@ -21,7 +21,7 @@ void ExactTracker::follow(const RayKey& key, const View& view, SceneRenderer& re
     isWaiting_ = wanted && !frame_ && !worker_.isBusy();
     if (isWaiting_ && now - changed_ >= kStillness) {
         worker_.start(renderer.rays(view, key.width, key.height), renderer.depthMap(), view.window,
-                      view.depthScale);
+                      view.depthScale, view.lightRays);
         isWaiting_ = false;
     }
 }

@@ -11,13 +11,22 @@
 
 namespace relievo::viewer {
 
-/// What decides the rays of a picture, and so its exact hits: neither the technique nor the light.
+/// What decides the rays of a picture, and so its exact hits: not the technique, and the light only
+/// where there are shadows.
 struct RayKey {
+    struct Light {
+        glm::vec2 direction;
+        float size;
+
+        friend bool operator==(const Light&, const Light&) = default;
+    };
+
     std::size_t file = 0;
     ObjectKind object = ObjectKind::Quad;
     glm::vec2 tiles{1.0f};
     float depthScale = 0.0f;
     OrbitCamera camera;
+    std::optional<Light> light;
     int width = 0;
     int height = 0;
 

@@ -43,6 +43,10 @@ GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
         program.set("relievoGivenHits", static_cast<int>(unit));
         object.givenHits->bind(unit++);
     }
+    if (object.givenVisibility) {
+        program.set("relievoGivenVisibility", static_cast<int>(unit));
+        object.givenVisibility->bind(unit++);
+    }
     return unit;
 }
 
@@ -56,6 +60,13 @@ std::optional<materials::ReliefMaterial> chosenMaterial(const SceneObject& objec
                                       {camera.viewProjection, glm::vec2(width, height)});
 }
 
+// Programs of hard shadows have no use for the radius.
+void setLight(gl::Program& program, const FrameView& view) {
+    program.set("toLight", view.toLight);
+    if (program.hasUniform("lightRadius"))
+        program.set("lightRadius", view.lightRadius);
+}
+
 void drawObject(gl::Program& program, const SceneObject& object, const Camera& camera) {
     program.set("viewProjection", camera.viewProjection);
     program.set("eye", camera.eye);
@@ -67,13 +78,13 @@ void drawObject(gl::Program& program, const SceneObject& object, const Camera& c
 
 gl::Program& FrameRenderer::shadedProgram(const SceneObject& object, const FrameView& view) {
     if (!object.material)
-        return programs_.get(kPlain, "", {});
+        return programs_.get(kPlain, {}, {});
     std::vector<shaders::Define> defines = reliefDefines(object, view.camera);
     if (object.albedo)
         defines.push_back({"RELIEVO_ALBEDO", "1"});
     if (view.markExhausted)
         defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
-    return programs_.get(kShaded, object.material->technique().file, defines);
+    return programs_.get(kShaded, object.material->files(), defines);
 }
 
 void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& view,
@@ -84,7 +95,7 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
         const auto material = chosenMaterial(object, view.camera, target.width(), target.height());
         object.material = material ? &*material : nullptr;
         gl::Program& program = shadedProgram(object, view);
-        program.set("toLight", view.toLight);
+        setLight(program, view);
         if (object.material) {
             const GLuint unit = bindMaterial(program, object);
             if (object.albedo) {
@@ -104,12 +115,13 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
     const auto material = chosenMaterial(object, view.camera, width, height);
     object.material = &material.value();
     gl::Program& program =
-        programs_.get(kMeasured, material->technique().file, reliefDefines(object, view.camera));
+        programs_.get(kMeasured, material->files(), reliefDefines(object, view.camera));
     prepare(target, view.camera.depth);
     // Misses are recorded as well: they are as far away as what the depth buffer was cleared to.
     glDepthFunc(fallsWithDistance(view.camera.depth) ? GL_GEQUAL : GL_LEQUAL);
     for (int attachment = 0; attachment < RELIEVO_OUTPUT_COUNT; ++attachment)
         target.clearColor(attachment, 0, 0, 0, 0);
+    setLight(program, view);
     bindMaterial(program, object);
     drawObject(program, object, view.camera);
     return readMeasuredFrame(target);

@@ -23,12 +23,16 @@ struct SceneObject {
     glm::vec3 plainColor{0.6f};           ///< linear; of a plain mesh
     /// The hits of a material of materials::givenHitsTechnique().
     const gl::Texture* givenHits = nullptr;
+    /// The shares of the light for a material with materials::givenShadowMethod().
+    const gl::Texture* givenVisibility = nullptr;
 };
 
 /// What a frame shows, apart from the objects in it.
 struct FrameView {
     Camera camera;
     glm::vec3 toLight{0, 0, 1};  ///< unit vector
+    float lightRadius = 0.0f;    ///< what the light spans to each side, in radians
+    int lightRays = 0;           ///< of the exact picture's shadows; 0: it has none
     bool markExhausted = false;  ///< paint searches that ran out of steps magenta, not as holes
 };
 

@@ -13,6 +13,7 @@
 #include "viewer/contact_sheet.h"
 #include "viewer/error_image.h"
 #include "viewer/heat_map.h"
+#include "viewer/light_errors.h"
 #include "viewer/view_session.h"
 
 namespace relievo::viewer {
@@ -118,6 +119,18 @@ class HeadlessRun {
             {heatMap(image), fmt::format("error of {}", technique.title), summary});
         for (NamedPlane& plane : namedPlanes(image, withRelief(technique.name, ".")))
             result_.errors.push_back(std::move(plane));
+        if (view_.lightRays > 0)
+            addLightErrors(technique, frame);
+    }
+
+    void addLightErrors(const materials::Technique& technique, const MeasuredFrame& frame) {
+        const LightErrors errors = summarizeLight(frame, reference());
+        commands::say(fmt::format(
+            "    shadows by \"{}\": {:.2f} % wrong, mean {:.4f} of the light, {:.1f} fetches a "
+            "pixel",
+            options_.shadow, 100 * errors.wrongShare, errors.meanError, errors.meanFetches));
+        result_.errors.push_back({withRelief(fmt::format("{}.light", technique.name), "."),
+                                  lightErrorPlane(frame, reference())});
     }
 
     SceneRenderer& renderer_;

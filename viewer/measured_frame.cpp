@@ -40,6 +40,17 @@ MeasuredFrame readMeasuredFrame(const gl::Framebuffer& target) {
     forEach(RELIEVO_OUTPUT_NORMAL, [](MeasuredPixel& pixel, const float* value) {
         pixel.normal = {value[0], value[1], value[2]};
     });
+    forEach(RELIEVO_OUTPUT_LIGHT, [](MeasuredPixel& pixel, const float* value) {
+        pixel.light = {value[0], value[1], value[2]};
+        pixel.lightShare = value[3];
+    });
+    forEach(RELIEVO_OUTPUT_LIFT, [](MeasuredPixel& pixel, const float* value) {
+        pixel.lift = {value[0], value[1], value[2]};
+        pixel.shadowFetches = static_cast<int>(value[3]);
+    });
+    forEach(RELIEVO_OUTPUT_SIDE, [](MeasuredPixel& pixel, const float* value) {
+        pixel.side = {value[0], value[1], value[2]};
+    });
     return frame;
 }
 

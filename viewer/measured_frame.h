@@ -19,7 +19,13 @@ struct MeasuredPixel {
     glm::vec3 origin{0.0f};     ///< (u,v,z) where the ray enters the relief
     glm::vec3 direction{0.0f};  ///< (du,dv,dz) per unit of t
     glm::vec3 normal{0, 0, 1};  ///< unit shading normal in the tile's metric
-    bool covered = false;       ///< the surface covers this pixel
+    /// Towards the light's centre (du,dv,dz) as its point sees it, and to two edges of its disc.
+    glm::vec3 light{0.0f};
+    glm::vec3 lift{0.0f};
+    glm::vec3 side{0.0f};
+    float lightShare = 1.0f;  ///< what gets there of it, 1 without shadows
+    int shadowFetches = 0;
+    bool covered = false;  ///< the surface covers this pixel
 };
 
 /// One frame of measurements, rows from the top.

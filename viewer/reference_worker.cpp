@@ -20,20 +20,20 @@ MeasuredFrame band(const MeasuredFrame& frame, int firstRow, int rows) {
 ReferenceWorker::ReferenceWorker(std::function<void()> wake) : wake_(std::move(wake)) {}
 
 void ReferenceWorker::start(MeasuredFrame frame, const textures::DepthMap& map,
-                            const glm::vec4& window, double depthScale) {
+                            const glm::vec4& window, double depthScale, int lightRays) {
     cancel();
     isBusy_ = true;
     progress_ = 0.0f;
-    thread_ = std::jthread(
-        [this, frame = std::move(frame), &map, window, depthScale](const std::stop_token& stop) {
-            try {
-                run(stop, frame, map, window, depthScale);
-            } catch (...) {
-                const std::lock_guard lock(mutex_);
-                failure_ = std::current_exception();
-            }
-            wake_();
-        });
+    thread_ = std::jthread([this, frame = std::move(frame), &map, window, depthScale,
+                            lightRays](const std::stop_token& stop) {
+        try {
+            run(stop, frame, map, window, depthScale, lightRays);
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = std::current_exception();
+        }
+        wake_();
+    });
 }
 
 void ReferenceWorker::cancel() {
@@ -59,9 +59,9 @@ std::optional<ReferenceFrame> ReferenceWorker::take() {
 }
 
 void ReferenceWorker::run(const std::stop_token& stop, const MeasuredFrame& frame,
-                          const textures::DepthMap& map, const glm::vec4& window,
-                          double depthScale) {
-    ReferenceFrame whole{frame.width, frame.height, {}};
+                          const textures::DepthMap& map, const glm::vec4& window, double depthScale,
+                          int lightRays) {
+    ReferenceFrame whole{frame.width, frame.height, {}, lightRays};
     whole.pixels.reserve(frame.pixels.size());
     const int rowsPerBand = std::max(1, kRaysPerBand / frame.width);
     for (int row = 0; row < frame.height; row += rowsPerBand) {
@@ -69,7 +69,7 @@ void ReferenceWorker::run(const std::stop_token& stop, const MeasuredFrame& fram
             return;
         const int rows = std::min(rowsPerBand, frame.height - row);
         const ReferenceFrame traced =
-            traceReference(band(frame, row, rows), map, window, depthScale);
+            traceReference(band(frame, row, rows), map, window, depthScale, lightRays);
         whole.pixels.insert(whole.pixels.end(), traced.pixels.begin(), traced.pixels.end());
         progress_ = static_cast<float>(row + rows) / static_cast<float>(frame.height);
     }

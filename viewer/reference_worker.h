@@ -24,7 +24,7 @@ class ReferenceWorker {
     /// Starts tracing the rays of `frame` (see traceReference) in place of whatever was under way.
     /// `map` must stay unchanged until the frame is done or cancelled, or the worker destroyed.
     void start(MeasuredFrame frame, const textures::DepthMap& map, const glm::vec4& window,
-               double depthScale);
+               double depthScale, int lightRays);
     /// Drops what is under way, and a result that was not taken.
     void cancel();
     /// Whether a frame was started that take() has not returned.
@@ -36,7 +36,7 @@ class ReferenceWorker {
 
   private:
     void run(const std::stop_token& stop, const MeasuredFrame& frame, const textures::DepthMap& map,
-             const glm::vec4& window, double depthScale);
+             const glm::vec4& window, double depthScale, int lightRays);
 
     std::function<void()> wake_;
     bool isBusy_ = false;

@@ -67,6 +67,14 @@ void SceneRenderer::drawReference(const ReferenceFrame& reference, const View& v
     materials::ReliefMaterial material = makeMaterial(materials::givenHitsTechnique());
     SceneObject object = objectIn(view, material);
     object.givenHits = &hits;
+    gl::Texture visibility;
+    if (reference.lightRays > 0) {
+        visibility = gl::Texture(reference.width, reference.height, GL_R32F);
+        visibility.upload(givenVisibilityTexels(reference), 1);
+        visibility.setSampling(GL_CLAMP_TO_EDGE, GL_NEAREST);
+        material.setShadow(&materials::givenShadowMethod());
+        object.givenVisibility = &visibility;
+    }
     frames_.draw({&object, 1}, view, target);
 }
 
@@ -84,7 +92,8 @@ MeasuredFrame SceneRenderer::rays(const View& view, int width, int height) {
 }
 
 ReferenceFrame SceneRenderer::trace(const View& view, int width, int height) {
-    return traceReference(rays(view, width, height), depthMap_, view.window, view.depthScale);
+    return traceReference(rays(view, width, height), depthMap_, view.window, view.depthScale,
+                          view.lightRays);
 }
 
 }  // namespace relievo::viewer

@@ -6,6 +6,7 @@
 
 #include "commands/program.h"
 #include "materials/relief_maps.h"
+#include "materials/shadow_registry.h"
 #include "materials/technique_registry.h"
 #include "viewer/headless.h"
 #include "viewer/view_options.h"
@@ -14,6 +15,21 @@
 namespace {
 
 using namespace relievo;
+
+void listParameters(std::span<const materials::TechniqueParameter> parameters) {
+    for (const materials::TechniqueParameter& parameter : parameters)
+        commands::answer(fmt::format("    {}: {}, {:g} to {:g}, default {:g}", parameter.name,
+                                     parameter.description, parameter.minimum, parameter.maximum,
+                                     parameter.defaultValue));
+}
+
+void listShadowMethod(const materials::ShadowMethod& method) {
+    commands::answer(fmt::format("--shadow {}: {} ({})", method.name, method.title, method.origin));
+    if (!method.searches)
+        commands::answer(fmt::format("    needs --maps {}",
+                                     fmt::join(materials::bakeWordsFor(method.maps).maps, ",")));
+    listParameters(method.parameters);
+}
 
 void listTechniques() {
     for (const materials::Technique& technique : materials::techniques()) {
@@ -25,11 +41,10 @@ void listTechniques() {
         commands::answer(fmt::format(
             "    wrong first hits on the worst sample: at most {:g} % from 45°, {:g} % from 15°",
             technique.errors.at45.wrongPercent, technique.errors.at15.wrongPercent));
-        for (const materials::TechniqueParameter& parameter : technique.parameters)
-            commands::answer(fmt::format("    {}: {}, {:g} to {:g}, default {:g}", parameter.name,
-                                         parameter.description, parameter.minimum,
-                                         parameter.maximum, parameter.defaultValue));
+        listParameters(technique.parameters);
     }
+    for (const materials::ShadowMethod& method : materials::shadowMethods())
+        listShadowMethod(method);
     commands::answer(
         fmt::format("{}: the exact first hits, traced on the CPU", viewer::kReferenceName));
 }

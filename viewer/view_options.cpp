@@ -8,6 +8,7 @@
 #include <set>
 
 #include "commands/program.h"
+#include "materials/shadow_registry.h"
 #include "materials/technique_registry.h"
 
 namespace relievo::viewer {
@@ -105,6 +106,16 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
                    "differences of depths (height); default the first of these that the file has")
         ->transform(CLI::CheckedTransformer(sources).description(""))
         ->type_name("derivative|normal|height");
+    app.add_option("--shadow", options.shadow,
+                   "Shadows that the relief casts on itself: none, or a method of --list, which "
+                   "the exact picture shows too")
+        ->type_name("NAME")
+        ->default_str(kNoShadow);
+    app.add_option("--light-size", options.lightSize,
+                   "Degrees that the light spans in the sky, for soft shadows: 0 is a point, 0.5 "
+                   "the sun")
+        ->check(CLI::Range(0.0, 90.0))
+        ->capture_default_str();
     app.add_option("--albedo", options.albedo, "Colour image (sRGB) for the surface; default grey")
         ->type_name("FILE");
 }
@@ -162,17 +173,25 @@ void checkErrorOutput(const ViewOptions& options) {
                             file.stem().string()));
 }
 
-// Every --set must reach at least one technique that is shown.
+bool hasShadowParameter(const ViewOptions& options, const ParameterSetting& setting) {
+    return options.shadow != kNoShadow && setting.technique.empty() &&
+           std::ranges::any_of(materials::findShadowMethod(options.shadow).parameters,
+                               [&](const auto& info) { return info.name == setting.name; });
+}
+
+// Every --set must reach the shadows or at least one technique that is shown.
 void checkParameters(const ViewOptions& options) {
     for (const ParameterSetting& setting : options.parameters) {
-        const bool used = std::ranges::any_of(options.techniques, [&](const std::string& name) {
-            if (name == kReferenceName)
-                return false;
-            if (!setting.technique.empty() && setting.technique != name)
-                return false;
-            return std::ranges::any_of(materials::findTechnique(name).parameters,
-                                       [&](const auto& info) { return info.name == setting.name; });
-        });
+        const bool used = hasShadowParameter(options, setting) ||
+                          std::ranges::any_of(options.techniques, [&](const std::string& name) {
+                              if (name == kReferenceName)
+                                  return false;
+                              if (!setting.technique.empty() && setting.technique != name)
+                                  return false;
+                              return std::ranges::any_of(
+                                  materials::findTechnique(name).parameters,
+                                  [&](const auto& info) { return info.name == setting.name; });
+                          });
         if (!used)
             throw UsageError(
                 fmt::format("--set {}: no technique shown has a parameter of that name; "
@@ -227,6 +246,8 @@ void checkViewOptions(const ViewOptions& options) {
     if (!(options.camera.distance > 0))
         throw UsageError("--camera: expected a distance above 0");
     checkTechniques(options);
+    if (options.shadow != kNoShadow)
+        materials::findShadowMethod(options.shadow);
     checkErrorOutput(options);
     checkParameters(options);
 }

@@ -17,6 +17,9 @@ class App;
 
 namespace relievo::viewer {
 
+/// Names no shadow method in --shadow.
+inline constexpr const char* kNoShadow = "none";
+
 /// The object that carries the relief.
 enum class ObjectKind { Quad, Box };
 
@@ -40,6 +43,8 @@ struct ViewOptions {
     glm::vec2 tiles{1.0f};
     OrbitCamera camera;
     glm::vec2 light{-50.0f, 40.0f};  ///< azimuth and elevation in degrees
+    float lightSize = 0.0f;          ///< what the light's disc spans in degrees; 0: a point
+    std::string shadow = kNoShadow;  ///< of materials::shadowMethods(), or kNoShadow
     int width = 512;
     int height = 512;
     /// Where slopes come from; none: the best source that the file has.

@@ -1,10 +1,22 @@
 #include "viewer/view_session.h"
 
 #include <algorithm>
+#include <glm/trigonometric.hpp>
+#include <span>
 
 #include "textures/map_file.h"
 
 namespace relievo::viewer {
+namespace {
+
+// Enough for shares of the light that are a few hundredths off at most.
+constexpr int kLightRays = 64;
+
+bool has(std::span<const materials::TechniqueParameter> parameters, std::string_view name) {
+    return std::ranges::any_of(parameters, [&](const auto& info) { return info.name == name; });
+}
+
+}  // namespace
 
 std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
                                           const ViewOptions& options) {
@@ -29,6 +41,8 @@ View makeView(const ViewOptions& options, float frameAspect) {
     view.window = glm::vec4(0.0f, 0.0f, options.tiles.x, options.tiles.y);
     view.slopes = options.normals;
     view.markExhausted = options.markExhausted;
+    view.lightRadius = glm::radians(options.lightSize / 2.0f);
+    view.lightRays = options.shadow == kNoShadow ? 0 : kLightRays;
     return view;
 }
 
@@ -36,12 +50,15 @@ materials::ReliefMaterial makeConfiguredMaterial(const SceneRenderer& renderer,
                                                  const materials::Technique& technique,
                                                  const ViewOptions& options) {
     materials::ReliefMaterial material = renderer.makeMaterial(technique);
+    std::span<const materials::TechniqueParameter> shadowParameters;
+    if (options.shadow != kNoShadow) {
+        material.setShadow(&materials::findShadowMethod(options.shadow));
+        shadowParameters = material.shadow()->parameters;
+    }
     for (const ParameterSetting& setting : options.parameters) {
         if (!setting.technique.empty() && setting.technique != technique.name)
             continue;
-        const bool has = std::ranges::any_of(
-            technique.parameters, [&](const auto& info) { return info.name == setting.name; });
-        if (has)
+        if (has(technique.parameters, setting.name) || has(shadowParameters, setting.name))
             material.setParameter(setting.name, setting.value);
     }
     return material;

@@ -66,20 +66,33 @@ float reliefAxisExit(float origin, float direction, float low, float high) {
     return RELIEVO_MAXIMUM_REACH;
 }
 
-// The ray through `surface` along `view` (unit length, from the eye into the scene) in tile space.
-// depthScale is a, the depth of D = 1 in tile widths; window is (minimum u, v, maximum u, v) of the
-// relief; aspect is ρ.
-//
-// With w = a·|tangent| the direction in tile space is (view·dualU, view·dualV, −view·normal / w). It
-// is scaled by w before it is normalised, so that a = 0 gives the vertical ray of a flat relief and
-// level rays need no division by their vertical speed.
-ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4 window,
-                        float aspect) {
+// A direction of the world in tile space, to be normalised. With w = a·|tangent| it is (d·dualU, d·dualV,
+// −d·normal / w), scaled by w, so that a = 0 gives the vertical ray of a flat relief and level rays need
+// no division by their vertical speed.
+vec3 reliefTileDirection(ReliefSurface surface, vec3 direction, float depthScale) {
     vec3 dualU, dualV;
     reliefDualBasis(surface, dualU, dualV);
     float worldDepth = depthScale * length(surface.tangent);
-    vec3 scaled = vec3(worldDepth * dot(view, dualU), worldDepth * dot(view, dualV),
-                       -dot(view, surface.normal));
+    return vec3(worldDepth * dot(direction, dualU), worldDepth * dot(direction, dualV),
+                -dot(direction, surface.normal));
+}
+
+// The t at which a ray of the given speed leaves the window, or the depths from 0 to 1. At most that of
+// the longest search.
+float reliefRayEnd(vec3 origin, vec3 direction, float speed, vec4 window) {
+    float end = speed > 0.0 ? RELIEVO_MAXIMUM_REACH / speed : RELIEVO_MAXIMUM_REACH;
+    end = min(end, reliefAxisExit(origin.x, direction.x, window.x, window.z));
+    end = min(end, reliefAxisExit(origin.y, direction.y, window.y, window.w));
+    end = min(end, reliefAxisExit(origin.z, direction.z, 0.0, 1.0));
+    return max(end, 0.0);
+}
+
+// The ray through `surface` along `view` (unit length, from the eye into the scene) in tile space.
+// depthScale is a, the depth of D = 1 in tile widths; window is (minimum u, v, maximum u, v) of the
+// relief; aspect is ρ.
+ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4 window,
+                        float aspect) {
+    vec3 scaled = reliefTileDirection(surface, view, depthScale);
     float norm = length(vec3(scaled.x, aspect * scaled.y, scaled.z));
 
     ReliefRay ray;
@@ -87,13 +100,9 @@ ReliefRay makeReliefRay(ReliefSurface surface, vec3 view, float depthScale, vec4
     // norm is 0 only for a level ray on a relief without depth: any direction will do.
     ray.direction = norm > 0.0 ? scaled / norm : vec3(0.0, 0.0, 1.0);
     ray.speed = length(vec2(ray.direction.x, aspect * ray.direction.y));
-    ray.worldLength = norm > 0.0 ? worldDepth / norm : 0.0;
+    ray.worldLength = norm > 0.0 ? depthScale * length(surface.tangent) / norm : 0.0;
     ray.depthScale = depthScale;
     ray.pixelsPerDepth = kReliefBoundless;
-    float end = ray.speed > 0.0 ? RELIEVO_MAXIMUM_REACH / ray.speed : RELIEVO_MAXIMUM_REACH;
-    end = min(end, reliefAxisExit(ray.origin.x, ray.direction.x, window.x, window.z));
-    end = min(end, reliefAxisExit(ray.origin.y, ray.direction.y, window.y, window.w));
-    end = min(end, reliefAxisExit(ray.origin.z, ray.direction.z, 0.0, 1.0));
-    ray.end = max(end, 0.0);
+    ray.end = reliefRayEnd(ray.origin, ray.direction, ray.speed, window);
     return ray;
 }

@@ -1,10 +1,12 @@
 // The reference compiler for GLSL accepts every program that the registry can make, not only the
 // driver that the other tests run on.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
 
 #include "materials/program_cache.h"
+#include "materials/shadow_registry.h"
 #include "materials/technique_registry.h"
 #include "tests/commands/process.h"
 
@@ -24,6 +26,13 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
 
+constexpr const char* kEsHeader =
+    "#version 300 es\n"
+    "precision highp float;\n"
+    "precision highp int;\n"
+    "precision highp sampler2D;\n"
+    "precision highp sampler2DArray;";
+
 // Compiles fragment shaders, all in one run of the compiler.
 class Glslang {
   public:
@@ -41,26 +50,32 @@ class Glslang {
 
 TEST(GlslangTest, AcceptsEveryProgram) {
     Glslang compiler;
-    compiler.add("plain", expandFragment("relievo/programs/plain.frag", "", {}).text);
+    compiler.add("plain", expandFragment("relievo/programs/plain.frag", {}, {}).text);
     for (const Technique& technique : techniques())
         for (const std::string fragment : {"shaded", "measured"})
             for (std::size_t k = 0; k < kVariants.size(); ++k)
                 compiler.add(std::string(technique.name) + "-" + fragment + "-" + std::to_string(k),
                              expandFragment("relievo/programs/" + fragment + ".frag",
-                                            technique.file, kVariants[k])
+                                            {technique.file}, kVariants[k])
                                  .text);
+    for (const Technique* technique : {&findTechnique("exact"), &findTechnique("cone")})
+        for (const ShadowMethod& method : shadowMethods())
+            for (const std::string fragment : {"shaded", "measured"})
+                for (std::size_t k = 0; k < kVariants.size(); ++k) {
+                    std::vector<shaders::Define> defines = kVariants[k];
+                    defines.push_back({"RELIEVO_SHADOW", "1"});
+                    compiler.add(
+                        fmt::format("{}-{}-{}-{}", method.name, technique->name, fragment, k),
+                        expandFragment("relievo/programs/" + fragment + ".frag",
+                                       {technique->file, method.file}, defines)
+                            .text);
+                }
     const tests::ProcessResult result = compiler.run();
     EXPECT_EQ(result.exitStatus, 0) << result.output;
 }
 
 // What the searches and the shading are made of is GLSL ES 3.00 as well.
 TEST(GlslangTest, AcceptsEveryTechniqueInGlslEs) {
-    constexpr const char* kHeader =
-        "#version 300 es\n"
-        "precision highp float;\n"
-        "precision highp int;\n"
-        "precision highp sampler2D;\n"
-        "precision highp sampler2DArray;";
     constexpr const char* kMain = R"glsl(
 #include "relievo/material.glsl"
 #include "relievo/blinn_phong.glsl"
@@ -81,7 +96,32 @@ void main() {
                 std::string(technique.name) + "-" + std::to_string(k),
                 shaders::expandShader("fragment shader",
                                       "#include \"" + std::string(technique.file) + "\"\n" + kMain,
-                                      kHeader, kVariants[k])
+                                      kEsHeader, kVariants[k])
+                    .text);
+    const tests::ProcessResult result = compiler.run();
+    EXPECT_EQ(result.exitStatus, 0) << result.output;
+}
+
+TEST(GlslangTest, AcceptsEveryShadowMethodInGlslEs) {
+    constexpr const char* kMain = R"glsl(
+uniform ReliefSurface surface;
+uniform vec3 view;
+uniform vec3 toLight;
+out vec4 color;
+void main() {
+    ReliefFragment relief = traceRelief(surface, view);
+    color = vec4(reliefVisibility(makeReliefLight(surface, relief.hit.position, toLight, 0.1)));
+}
+)glsl";
+    Glslang compiler;
+    for (const ShadowMethod& method : shadowMethods())
+        for (std::size_t k = 0; k < kVariants.size(); ++k)
+            compiler.add(
+                fmt::format("{}-{}", method.name, k),
+                shaders::expandShader("fragment shader",
+                                      fmt::format("#include \"{}\"\n#include \"{}\"\n{}",
+                                                  findTechnique("exact").file, method.file, kMain),
+                                      kEsHeader, kVariants[k])
                     .text);
     const tests::ProcessResult result = compiler.run();
     EXPECT_EQ(result.exitStatus, 0) << result.output;

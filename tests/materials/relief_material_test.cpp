@@ -49,7 +49,7 @@ TEST_F(ReliefMaterialTest, EveryTechniqueBindsToBothPrograms) {
             set.attributes["relievo:cone"] =
                 maps.contains("relaxed-cone") ? "relaxed" : "conservative";
             const ReliefMaterial material(std::make_shared<ReliefMaps>(set, "x.exr"), technique);
-            gl::Program& program = programs_.get(fragment, technique.file, material.defines());
+            gl::Program& program = programs_.get(fragment, material.files(), material.defines());
             maps.insert("derivative");
             EXPECT_EQ(material.bind(program.id(), 3), 3 + maps.size());
         }
@@ -89,8 +89,7 @@ TEST_F(ReliefMaterialTest, ProgramsReadNoOtherMapForSlopes) {
         SCOPED_TRACE(entry.name);
         material.setSlopeSource(entry.source);
         EXPECT_EQ(material.shownBy(findTechnique("linear")).slopeSource(), entry.source);
-        gl::Program& program =
-            programs_.get(kMeasured, material.technique().file, material.defines());
+        gl::Program& program = programs_.get(kMeasured, material.files(), material.defines());
         EXPECT_EQ(material.bind(program.id()), entry.map.empty() ? 1u : 2u);
         for (const std::string_view map : {"derivative", "normal"})
             EXPECT_EQ(program.hasUniform(reliefMapFormat(map).sampler), map == entry.map) << map;
@@ -197,7 +196,7 @@ TEST_F(ReliefMaterialTest, ParametersKeepTheirRanges) {
 
 TEST_F(ReliefMaterialTest, ProgramOfAnotherTechniqueIsRefused) {
     const ReliefMaterial material(fullMaps(), findTechnique("relief"));
-    gl::Program& linear = programs_.get(kShaded, findTechnique("linear").file, {});
+    gl::Program& linear = programs_.get(kShaded, {findTechnique("linear").file}, {});
     try {
         material.bind(linear.id());
         FAIL() << "a program without the technique's uniforms was accepted";
@@ -228,9 +227,9 @@ TEST_F(ReliefMaterialTest, EncodingSelectsTheProgram) {
     const ReliefMaterial radius(std::make_shared<ReliefMaps>(std::move(set), "x"),
                                 findTechnique("cone"));
     const ReliefMaterial ratio(fullMaps(), findTechnique("cone"));
-    programs_.get(kShaded, radius.technique().file, radius.defines());
-    programs_.get(kShaded, ratio.technique().file, ratio.defines());
-    programs_.get(kShaded, ratio.technique().file, ratio.defines());
+    programs_.get(kShaded, radius.files(), radius.defines());
+    programs_.get(kShaded, ratio.files(), ratio.defines());
+    programs_.get(kShaded, ratio.files(), ratio.defines());
     EXPECT_EQ(programs_.size(), 2u);
 }
 

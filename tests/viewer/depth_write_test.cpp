@@ -88,7 +88,7 @@ class DepthWrite : public testing::TestWithParam<Projection> {
         if (fallsWithDistance(made))
             defines.push_back({"RELIEVO_DEPTH_REVERSED", "1"});
         gl::Program& program =
-            programs_.get("relievo/programs/measured.frag", material_.technique().file, defines);
+            programs_.get("relievo/programs/measured.frag", material_.files(), defines);
         material_.bind(program.id());
         program.set("viewProjection", camera.viewProjection);
         program.set("eye", camera.eye);

@@ -7,6 +7,9 @@
 
 uniform mat4 viewProjection;
 uniform vec3 toLight;
+#ifdef RELIEVO_SHADOW
+uniform float lightRadius;  // radians
+#endif
 #ifdef RELIEVO_ALBEDO
 uniform sampler2D albedoMap;  // sRGB
 #endif
@@ -30,7 +33,12 @@ void main() {
 #else
     vec3 albedo = vec3(0.6);
 #endif
-    vec3 shaded = blinnPhong(albedo, relief.normal, toLight, -view, vec3(1.0));
+    vec3 light = vec3(1.0);
+#ifdef RELIEVO_SHADOW
+    light *= reliefVisibility(
+        makeReliefLight(surfaceInput(), relief.hit.position, toLight, lightRadius));
+#endif
+    vec3 shaded = blinnPhong(albedo, relief.normal, toLight, -view, light);
 #ifdef RELIEVO_MARK_EXHAUSTED
     if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) shaded = vec3(1.0, 0.0, 1.0);
 #endif

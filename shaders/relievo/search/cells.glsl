@@ -102,10 +102,14 @@ int reliefModulo(int cell, int period) {
     return place < 0 ? place + period : (place >= period ? place - period : place);
 }
 
-// The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
-// there; kReliefBoundless when it leaves the cell above it, or up to a rounding below. A ray that enters
-// below the surface, which rounding may cause, meets it at once.
-float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
+// The surface along a ray in the walk's cell: z − D is x + y·s + z·s², s counted from where the ray
+// enters the cell; and how much D differs between the corners of the cell, at most.
+struct ReliefProfile {
+    vec3 below;
+    float rise;
+};
+
+ReliefProfile reliefProfile(ReliefRay ray, ReliefWalk walk) {
     ++reliefFetchCount;
     vec2 size = vec2(reliefMapSize());
     // In the order of textureGather: (0,1), (1,1), (1,0), (0,0).
@@ -114,19 +118,28 @@ float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
     vec2 slope = vec2(depths.z, depths.x) - depths.w;
     float twist = (depths.y - depths.x) - slope.x;
 
-    // z − D along the ray as q0 + q1·s + q2·s², s counted from the entry.
     vec2 gradient = slope + twist * place.yx;
     float depth = depths.w + slope.x * place.x + gradient.y * place.y;
-    float q0 = ray.origin.z + walk.t * ray.direction.z - depth;
-    float q1 = ray.direction.z - dot(gradient, walk.speed);
-    float q2 = -twist * walk.speed.x * walk.speed.y;
-    if (q0 >= 0.0) return walk.t;
-    float discriminant = q1 * q1 - 4.0 * q2 * q0;
+    vec2 least = min(depths.xy, depths.zw);
+    vec2 most = max(depths.xy, depths.zw);
+    return ReliefProfile(vec3(ray.origin.z + walk.t * ray.direction.z - depth,
+                              ray.direction.z - dot(gradient, walk.speed),
+                              -twist * walk.speed.x * walk.speed.y),
+                         max(most.x, most.y) - min(least.x, least.y));
+}
+
+// The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
+// there; kReliefBoundless when it leaves the cell above it, or up to a rounding below. A ray that enters
+// below the surface, which rounding may cause, meets it at once.
+float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
+    vec3 below = reliefProfile(ray, walk).below;
+    if (below.x >= 0.0) return walk.t;
+    float discriminant = below.y * below.y - 4.0 * below.z * below.x;
     if (discriminant < 0.0) return kReliefBoundless;
     // The first positive root in the form in which nothing cancels.
     float root = sqrt(discriminant);
-    float numerator = q1 >= 0.0 ? -2.0 * q0 : root - q1;
-    float denominator = q1 >= 0.0 ? q1 + root : 2.0 * q2;
+    float numerator = below.y >= 0.0 ? -2.0 * below.x : root - below.y;
+    float denominator = below.y >= 0.0 ? below.y + root : 2.0 * below.z;
     float s = denominator > 0.0 ? numerator / denominator : kReliefBoundless;
     return walk.t + s <= walk.exit ? walk.t + s : kReliefBoundless;
 }

@@ -17,8 +17,9 @@ uniform float relievoPixelError;  // pixels by which a point may be out of place
 ReliefHit reliefSearchBetween(ReliefRay ray, float bottom) {
     // A ray that does not come down has no such part.
     if (ray.direction.z <= 0.0) return reliefSearchRoofs(ray);
-    float lead = relievoDepthRange.x / ray.direction.z;
-    float end = min(max(bottom, relievoDepthRange.x) / ray.direction.z, ray.end);
+    float lead = max(relievoDepthRange.x - ray.origin.z, 0.0) / ray.direction.z;
+    float below = max(max(bottom, relievoDepthRange.x) - ray.origin.z, 0.0);
+    float end = min(below / ray.direction.z, ray.end);
     if (lead > ray.end) return reliefResult(ray, ray.end, RELIEVO_OUTCOME_MISS, 0);
     ReliefRay part = ray;
     part.origin = reliefPoint(ray, lead);

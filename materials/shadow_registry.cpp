@@ -1,0 +1,72 @@
+#include "materials/shadow_registry.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "textures/input_error.h"
+
+namespace relievo::materials {
+namespace {
+
+constexpr std::string_view kDepthMaps[] = {"depth"};
+
+constexpr TechniqueParameter kSoftParameters[] = {
+    {"shadow-halvings", "relievoShadowHalvings",
+     "searches that a penumbra takes besides those along the edges of the light", 0, 16, 5, true,
+     true},
+};
+
+constexpr ShadowMethod kMethods[] = {
+    {.name = "search",
+     .title = "hard shadows by search",
+     .origin = "Policarpo, Oliveira, Comba 2005",
+     .file = "relievo/shadows/search.glsl",
+     .maps = kDepthMaps,
+     .parameters = {},
+     .searches = true,
+     .errors = {{0.05, 16.3}, {0.05, 34.3}}},
+    {.name = "soft",
+     .title = "soft shadows by search",
+     .origin = "Tatarchuk 2006; bisected: ours",
+     .file = "relievo/shadows/soft.glsl",
+     .maps = kDepthMaps,
+     .parameters = kSoftParameters,
+     .searches = true,
+     .isSoft = true,
+     .errors = {{0.05, 3.46}, {0.05, 22.1}}},
+};
+
+constexpr ShadowMethod kGiven = {.name = "reference",
+                                 .title = "exact shadows",
+                                 .origin = "double precision, on the CPU",
+                                 .file = "relievo/shadows/given.glsl",
+                                 .maps = kDepthMaps,
+                                 .parameters = {},
+                                 .isSoft = true};
+
+}  // namespace
+
+std::span<const ShadowMethod> shadowMethods() {
+    return kMethods;
+}
+
+const ShadowMethod& givenShadowMethod() {
+    return kGiven;
+}
+
+const ShadowMethod& findShadowMethod(std::string_view name) {
+    const auto found = std::ranges::find(shadowMethods(), name, &ShadowMethod::name);
+    if (found != shadowMethods().end())
+        return *found;
+    std::vector<std::string_view> names;
+    for (const ShadowMethod& method : shadowMethods())
+        names.push_back(method.name);
+    throw textures::InputError(fmt::format("unknown shadow method \"{}\", expected one of {}", name,
+                                           fmt::join(names, ", ")));
+}
+
+}  // namespace relievo::materials
