@@ -151,7 +151,8 @@ Plot bakePlot(const std::vector<BakeMeasurement>& measurements) {
     plot.xLabel = "size in texels";
     plot.yLabel = "ns per texel";
     plot.xLogarithmBase = 2;
-    plot.isCompared = true;
+    plot.hasLegend = true;
+    plot.hasOneRange = true;
     for (const BakeMeasurement& m : measurements)
         if (sizes[m.builder].size() > 1)
             seriesOf(plot, m.builder, m.sample)

@@ -104,9 +104,9 @@ void requireGnuplot() {
 
 std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output) {
     const std::vector<std::string> names = seriesNames(plot);
-    const bool isCompared = plot.isCompared && !names.empty();
+    const bool hasLegend = plot.hasLegend && !names.empty();
     const auto panels =
-        static_cast<int>(std::max<std::size_t>(plot.panels.size() + (isCompared ? 1 : 0), 1));
+        static_cast<int>(std::max<std::size_t>(plot.panels.size() + (hasLegend ? 1 : 0), 1));
     const int square = static_cast<int>(std::ceil(std::sqrt(panels)));
     const int columns = plot.columns > 0 ? plot.columns : square;
     const int rows = (panels + columns - 1) / columns;
@@ -119,11 +119,13 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output)
         columns * kPanelWidth, rows * kPanelHeight + kTitleHeight, quoted(output.string()), rows,
         columns, quoted(plot.title), plot.xLogarithmBase, plot.keyPosition, quoted(plot.xLabel),
         quoted(plot.yLabel));
-    if (isCompared)
-        script += commonRange(plot) + "unset key\n";
+    if (plot.hasOneRange && !names.empty())
+        script += commonRange(plot);
+    if (hasLegend)
+        script += "unset key\n";
     for (std::size_t p = 0; p < plot.panels.size(); ++p)
         script += panelScript(plot.panels[p], p, names);
-    if (isCompared)
+    if (hasLegend)
         script += legendScript(names);
     return script + "unset multiplot\nunset output\n";
 }

@@ -26,10 +26,9 @@ struct Plot {
     std::string yLabel;
     int xLogarithmBase = 10;
     std::string keyPosition = "top left";  ///< of the names, inside each panel
-    /// The names stand once, in a panel of their own behind the others, and all panels have the
-    /// same y axis.
-    bool isCompared = false;
-    int columns = 0;  ///< panels in a row; 0 is about as many as there are rows
+    bool hasLegend = false;    ///< names stand once, in a panel of their own behind the others
+    bool hasOneRange = false;  ///< all panels have the same y axis
+    int columns = 0;           ///< panels in a row; 0 is about as many as there are rows
     std::vector<PlotPanel> panels;
 };
 

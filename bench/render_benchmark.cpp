@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "bench/stopwatch.h"
 #include "bench/technique_maps.h"
@@ -46,6 +48,13 @@ std::size_t measurementsPerView(const RenderBenchmarkOptions& options) {
     for (const std::string& technique : options.techniques)
         count += budgetsOf(materials::findTechnique(technique), options).size();
     return count;
+}
+
+double meanDifference(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        sum += k % 4 == 3 ? 0.0 : std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k]));
+    return sum / static_cast<double>(a.size() / 4 * 3);
 }
 
 double frameSeconds(viewer::SceneRenderer& renderer, materials::ReliefMaterial& material,
@@ -91,9 +100,24 @@ class SampleStages {
     std::map<std::string, SampleStage> stages_;
 };
 
+/// What is true of one sample from one elevation.
+struct ExactView {
+    viewer::View view;
+    viewer::ReferenceFrame hits;
+    std::vector<float> picture;
+};
+
+ExactView traceExactly(SampleStage& stage, double elevation,
+                       const RenderBenchmarkOptions& options) {
+    ExactView exact{viewFrom(elevation, options), {}, {}};
+    exact.hits = stage.renderer.trace(exact.view, options.frame, options.frame);
+    stage.renderer.drawReference(exact.hits, exact.view, stage.target);
+    exact.picture = stage.target.read(0);
+    return exact;
+}
+
 RenderMeasurement measureTechnique(SampleStage& stage, const materials::Technique& technique,
-                                   std::optional<int> steps, const viewer::View& view,
-                                   const viewer::ReferenceFrame& exact,
+                                   std::optional<int> steps, const ExactView& exact,
                                    const RenderBenchmarkOptions& options) {
     materials::ReliefMaterial material = stage.renderer.makeMaterial(technique);
     if (steps)
@@ -102,12 +126,14 @@ RenderMeasurement measureTechnique(SampleStage& stage, const materials::Techniqu
     result.technique = technique.name;
     result.steps = steps;
     result.size = options.size;
-    result.seconds = frameSeconds(stage.renderer, material, view, stage.target, options.repeat);
+    result.seconds =
+        frameSeconds(stage.renderer, material, exact.view, stage.target, options.repeat);
+    result.pictureDifference = meanDifference(stage.target.read(0), exact.picture);
     const viewer::MeasuredFrame frame =
-        stage.renderer.measure(material, view, options.frame, options.frame);
+        stage.renderer.measure(material, exact.view, options.frame, options.frame);
     result.work = viewer::countWork(frame);
     result.errors = reference::summarizeErrors(
-        viewer::compareFrames(frame, exact, stage.renderer.depthMap(), options.depthScale),
+        viewer::compareFrames(frame, exact.hits, stage.renderer.depthMap(), options.depthScale),
         1.0 / options.size);
     return result;
 }
@@ -122,15 +148,13 @@ RenderReport measureRender(const RenderBenchmarkOptions& options) {
     for (const std::string& sample : options.samples) {
         SampleStages stages(sample, options);
         for (const double elevation : options.elevations) {
-            const viewer::View view = viewFrom(elevation, options);
-            const viewer::ReferenceFrame exact =
-                stages.of(materials::findTechnique("normal"))
-                    .renderer.trace(view, options.frame, options.frame);
+            const ExactView exact =
+                traceExactly(stages.of(materials::findTechnique("normal")), elevation, options);
             for (const std::string& name : options.techniques) {
                 const materials::Technique& technique = materials::findTechnique(name);
                 for (const std::optional<int> steps : budgetsOf(technique, options)) {
-                    report.measurements.push_back(measureTechnique(stages.of(technique), technique,
-                                                                   steps, view, exact, options));
+                    report.measurements.push_back(
+                        measureTechnique(stages.of(technique), technique, steps, exact, options));
                     report.measurements.back().sample = sample;
                     report.measurements.back().elevation = elevation;
                     progress.advance();
@@ -157,7 +181,8 @@ ReportTable renderTable(const std::vector<RenderMeasurement>& measurements) {
                      {"percentile99DistanceTexels", "p99 texels", 3},
                      {"maximumDistanceTexels", "max texels", 3},
                      {"meanNormalDegrees", "normal deg", 3},
-                     {"percentile99NormalDegrees", "p99 normal deg", 3}};
+                     {"percentile99NormalDegrees", "p99 normal deg", 3},
+                     {"picturePercent", "picture %", 3}};
     for (const RenderMeasurement& m : measurements)
         table.rows.push_back({m.sample, m.elevation, m.technique,
                               m.steps ? ReportCell(std::int64_t{*m.steps}) : ReportCell(),
@@ -166,26 +191,62 @@ ReportTable renderTable(const std::vector<RenderMeasurement>& measurements) {
                               100.0 * m.errors.overshotShare, m.size * m.errors.meanDistance,
                               m.size * m.errors.percentile99Distance,
                               m.size * m.errors.maximumDistance, m.errors.meanNormalAngle,
-                              m.errors.percentile99NormalAngle});
+                              m.errors.percentile99NormalAngle, 100.0 * m.pictureDifference});
     return table;
 }
 
-Plot renderPlot(const std::vector<RenderMeasurement>& measurements, PlotAgainst against) {
-    Plot plot;
-    plot.title = "Wrong first hits of search techniques";
-    plot.xLabel = against == PlotAgainst::Time ? "ms per frame" : "fetches per pixel";
-    plot.yLabel = "wrong first hits in % (none: as half a ray)";
-    plot.keyPosition = "top right";
-    std::set<double> elevations;
+namespace {
+
+/// The means over the samples of one technique and budget from one elevation.
+struct MeanErrors {
+    int samples = 0;
+    double cost = 0.0;
+    double wrongPercent = 0.0;
+    double texels = 0.0;
+};
+
+using MeanKey = std::tuple<double, std::string, std::optional<int>>;
+
+std::map<MeanKey, MeanErrors> meansOverSamples(const std::vector<RenderMeasurement>& measurements,
+                                               PlotAgainst against) {
+    std::map<MeanKey, MeanErrors> sums;
     for (const RenderMeasurement& m : measurements) {
+        MeanErrors& sum = sums[{-m.elevation, m.technique, m.steps}];
+        ++sum.samples;
+        sum.cost += against == PlotAgainst::Time ? 1e3 * m.seconds : m.work.meanFetches;
+        // Logarithmic axes have no place for 0: no wrong hit is shown as half of one.
         const double fewest = 0.5 / static_cast<double>(std::max<std::size_t>(m.errors.rays, 1));
-        const double x = against == PlotAgainst::Time ? 1e3 * m.seconds : m.work.meanFetches;
-        // A technique without lookups has no place on a logarithmic axis.
-        if (x > 0.0)
-            seriesOf(plot, fmt::format("{}, {}°", m.sample, m.elevation), m.technique)
-                .points.emplace_back(x, 100.0 * std::max(m.errors.wrongShare, fewest));
-        elevations.insert(m.elevation);
+        sum.wrongPercent += 100.0 * std::max(m.errors.wrongShare, fewest);
+        sum.texels += m.size * m.errors.meanDistance;
     }
+    return sums;
+}
+
+}  // namespace
+
+Plot renderPlot(const std::vector<RenderMeasurement>& measurements, PlotAgainst against) {
+    constexpr double kLeastTexels = 1e-6;
+    Plot plot;
+    plot.title = "Errors of search techniques, mean over the reliefs";
+    plot.xLabel = against == PlotAgainst::Time ? "ms per frame" : "fetches per pixel";
+    plot.yLabel = "error";
+    plot.hasLegend = true;
+    const auto means = meansOverSamples(measurements, against);
+    std::set<double> elevations;
+    const auto addRow = [&](const char* title, const auto& error) {
+        for (const auto& [key, sum] : means) {
+            const auto& [elevation, technique, steps] = key;
+            // A technique without lookups has no place on a logarithmic axis.
+            if (sum.cost > 0.0)
+                seriesOf(plot, fmt::format("{}, {}°", title, -elevation), technique)
+                    .points.emplace_back(sum.cost / sum.samples, error(sum) / sum.samples);
+            elevations.insert(elevation);
+        }
+    };
+    addRow("wrong first hits in % (none: as half a ray)",
+           [](const MeanErrors& sum) { return sum.wrongPercent; });
+    addRow("distance from the exact hit in texels",
+           [](const MeanErrors& sum) { return std::max(sum.texels, kLeastTexels * sum.samples); });
     plot.columns = static_cast<int>(elevations.size());
     return plot;
 }

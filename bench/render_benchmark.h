@@ -15,9 +15,9 @@ namespace relievo::bench {
 /// What to measure: every technique at every step budget, on every sample relief, repeated without
 /// end, under parallel rays from every elevation.
 struct RenderBenchmarkOptions {
-    std::vector<std::string> samples;               ///< names of textures::sampleReliefs
-    std::vector<std::string> techniques;            ///< names of the technique registry
-    std::vector<double> elevations{90, 45, 15, 5};  ///< degrees above the surface
+    std::vector<std::string> samples;                  ///< names of textures::sampleReliefs
+    std::vector<std::string> techniques;               ///< names of the technique registry
+    std::vector<double> elevations{90, 45, 15, 5, 1};  ///< degrees above the surface
     std::vector<int> steps{8, 16, 32, 64, 128, 256};
     int size = 256;  ///< the reliefs are size×size texels
     /// The frames are frame×frame pixels, which show one tile. By default no divisor or multiple of
@@ -38,6 +38,9 @@ struct RenderMeasurement {
     double seconds = 0.0;  ///< of the fastest shaded frame
     viewer::WorkCounts work;
     reference::ErrorStatistics errors;  ///< against the exact hits of the same rays
+    /// Mean difference of the shaded frame from that of the exact hits, over pixels and colours; 1
+    /// is white against black.
+    double pictureDifference = 0.0;
 };
 
 /// What was measured, and on what.
@@ -56,8 +59,8 @@ ReportTable renderTable(const std::vector<RenderMeasurement>& measurements);
 /// What the errors are plotted against.
 enum class PlotAgainst { Time, Fetches };
 
-/// The share of wrong first hits: a row of panels a sample, a panel an elevation, a curve a
-/// technique.
+/// Errors, means over the samples: a row of panels for the share of wrong first hits and one for
+/// the distance from the exact hit, a panel an elevation, a curve a technique.
 Plot renderPlot(const std::vector<RenderMeasurement>& measurements, PlotAgainst against);
 
 }  // namespace relievo::bench

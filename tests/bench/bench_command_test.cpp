@@ -196,7 +196,10 @@ TEST(BenchRender, MoreStepsHaveFewerErrors) {
     EXPECT_GT(find("cone", 4).at("unconvergedPercent"), find("cone", 64).at("unconvergedPercent"));
     EXPECT_EQ(find("cone", 64).at("wrongPercent"), 0.0);
     EXPECT_GT(find("cone", 64).at("meanFetches"), find("cone", 4).at("meanFetches"));
-    EXPECT_THAT(readBytes(folder.file("render.svg")), HasSubstr("wave, 30"));
+    EXPECT_GT(find("normal", nullptr).at("picturePercent"), 0.3);
+    EXPECT_LT(find("cone", 64).at("picturePercent"), 0.1);
+    EXPECT_THAT(readBytes(folder.file("render.svg")),
+                AllOf(HasSubstr("wrong first hits"), HasSubstr(", 30")));
     EXPECT_THAT(readBytes(folder.file("render.md")),
                 AllOf(HasSubstr("## Wrong first hits"), HasSubstr("| relief 64 |")));
 }

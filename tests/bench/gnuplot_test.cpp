@@ -57,7 +57,8 @@ TEST(Gnuplot, DrawsSvgWithEveryTitle) {
 
 TEST(Gnuplot, PanelsToCompareHaveOneAxisAndNameTheirSeriesOnce) {
     Plot plot = samplePlot();
-    plot.isCompared = true;
+    plot.hasLegend = true;
+    plot.hasOneRange = true;
     const std::string script = gnuplotScript(plot, "plot.svg");
     EXPECT_THAT(script, HasSubstr("set yrange [1:10]\nunset key"));
     EXPECT_THAT(script, HasSubstr("layout 2,2"));
@@ -66,7 +67,12 @@ TEST(Gnuplot, PanelsToCompareHaveOneAxisAndNameTheirSeriesOnce) {
     const tests::ScratchFolder folder;
     drawPlot(plot, folder.file("plot.svg"));
     EXPECT_THAT(tests::readBytes(folder.file("plot.svg")), HasSubstr("waves"));
-    drawPlot(Plot{.title = "none", .xLabel = "", .yLabel = "", .isCompared = true, .panels = {}},
+    drawPlot(Plot{.title = "none",
+                  .xLabel = "",
+                  .yLabel = "",
+                  .hasLegend = true,
+                  .hasOneRange = true,
+                  .panels = {}},
              folder.file("none.svg"));
 }
 
