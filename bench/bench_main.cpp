@@ -1,6 +1,7 @@
 #include "bench/bake_command.h"
 #include "bench/render_command.h"
 #include "bench/search_command.h"
+#include "bench/sheet_command.h"
 #include "commands/program.h"
 
 int main(int argc, char** argv) {
@@ -9,6 +10,7 @@ int main(int argc, char** argv) {
     relievo::bench::BakeCommand bake(app);
     relievo::bench::RenderCommand render(app);
     relievo::bench::SearchCommand search(app);
+    relievo::bench::SheetCommand sheet(app);
     return relievo::commands::runProgram(app, argc, argv, [&] {
         if (bake.chosen())
             bake.run();
@@ -16,5 +18,7 @@ int main(int argc, char** argv) {
             render.run();
         if (search.chosen())
             search.run();
+        if (sheet.chosen())
+            sheet.run();
     });
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "textures/sample_reliefs.h"
 
 namespace relievo::bench {
@@ -28,6 +30,17 @@ void addRepeatOption(CLI::App& command, int& repeat) {
     command.add_option("--repeat", repeat, "Runs of each measurement, of which the fastest counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+}
+
+void addBackendOption(CLI::App& command, gl::Backend& backend) {
+    command.add_option("--backend", backend, "OpenGL through osmesa, egl or glfw")
+        ->type_name("NAME")
+        ->default_str("osmesa")
+        ->transform(CLI::CheckedTransformer(
+                        std::map<std::string, gl::Backend>{{"osmesa", gl::Backend::OSMesa},
+                                                           {"egl", gl::Backend::Egl},
+                                                           {"glfw", gl::Backend::Glfw}})
+                        .description(""));
 }
 
 void addReportOptions(CLI::App& command, ReportPaths& paths) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/report_files.h"
+#include "gl/context.h"
 
 namespace relievo::bench {
 
@@ -18,6 +19,9 @@ void addSamplesOption(CLI::App& command, std::vector<std::string>& samples);
 
 /// Adds `--repeat`.
 void addRepeatOption(CLI::App& command, int& repeat);
+
+/// Adds `--backend`.
+void addBackendOption(CLI::App& command, gl::Backend& backend);
 
 /// Adds `--json`, `--markdown` and `--plot`.
 void addReportOptions(CLI::App& command, ReportPaths& paths);

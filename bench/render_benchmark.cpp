@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "bench/sample_stages.h"
 #include "bench/stopwatch.h"
-#include "bench/technique_maps.h"
 #include "commands/progress.h"
 #include "materials/technique_registry.h"
-#include "preprocess/relief_baker.h"
-#include "surfaces/surface_mesh.h"
-#include "textures/sample_reliefs.h"
 #include "viewer/camera.h"
 #include "viewer/reference_frame.h"
 #include "viewer/scene_renderer.h"
@@ -68,38 +64,6 @@ double frameSeconds(viewer::SceneRenderer& renderer, materials::ReliefMaterial& 
     });
 }
 
-/// One sample on the GPU, with the maps of some techniques, and what its frames are drawn to.
-struct SampleStage {
-    viewer::SceneRenderer renderer;
-    gl::Framebuffer target;
-};
-
-/// A sample with the maps of every technique: those that need the same maps share a stage.
-class SampleStages {
-  public:
-    SampleStages(const std::string& sample, const RenderBenchmarkOptions& options)
-        : name_(sample),
-          relief_(textures::generateSampleRelief(sample, options.size, options.size)),
-          frame_(options.frame) {}
-
-    SampleStage& of(const materials::Technique& technique) {
-        const preprocess::ReliefPlan plan = planFor(technique);
-        const std::string key = preprocess::optionWords(plan);
-        if (const auto found = stages_.find(key); found != stages_.end())
-            return found->second;
-        SampleStage stage{viewer::SceneRenderer(preprocess::bakeRelief(relief_, plan), name_, {}),
-                          gl::Framebuffer(frame_, frame_, std::array<GLenum, 1>{GL_RGBA8})};
-        stage.renderer.setSurface(surfaces::makeQuad({1.0f, 1.0f}, 1.0f));
-        return stages_.emplace(key, std::move(stage)).first->second;
-    }
-
-  private:
-    std::string name_;
-    textures::DepthMap relief_;
-    int frame_;
-    std::map<std::string, SampleStage> stages_;
-};
-
 /// What is true of one sample from one elevation.
 struct ExactView {
     viewer::View view;
@@ -146,7 +110,7 @@ RenderReport measureRender(const RenderBenchmarkOptions& options) {
     commands::Progress progress("frames", options.samples.size() * options.elevations.size() *
                                               measurementsPerView(options));
     for (const std::string& sample : options.samples) {
-        SampleStages stages(sample, options);
+        SampleStages stages(sample, {options.size, options.frame, options.frame});
         for (const double elevation : options.elevations) {
             const ExactView exact =
                 traceExactly(stages.of(materials::findTechnique("normal")), elevation, options);

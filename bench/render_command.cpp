@@ -34,14 +34,7 @@ RenderCommand::RenderCommand(CLI::App& app)
     add("--azimuth", options_.azimuth, "Degrees of the rays around the surface's normal")
         ->check(CLI::Range(-360.0, 360.0));
     addRepeatOption(*command_, options_.repeat);
-    command_->add_option("--backend", options_.backend, "OpenGL through osmesa, egl or glfw")
-        ->type_name("NAME")
-        ->default_str("osmesa")
-        ->transform(CLI::CheckedTransformer(
-                        std::map<std::string, gl::Backend>{{"osmesa", gl::Backend::OSMesa},
-                                                           {"egl", gl::Backend::Egl},
-                                                           {"glfw", gl::Backend::Glfw}})
-                        .description(""));
+    addBackendOption(*command_, options_.backend);
     command_->add_option("--plot-against", plotAgainst_, "Plot errors against time or fetches")
         ->type_name("NAME")
         ->default_str("time")

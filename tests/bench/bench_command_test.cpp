@@ -13,6 +13,7 @@
 
 #include "tests/bench/scoped_path.h"
 #include "tests/commands/process.h"
+#include "textures/picture_file.h"
 
 namespace relievo::tests {
 namespace {
@@ -218,6 +219,23 @@ TEST(BenchRender, BackEndsAgreeOnAllButTime) {
     EXPECT_EQ(osmesa, withoutTimes("egl"));
 }
 
+TEST(BenchSheet, HasAPictureForEveryTechniqueAndTheExactOne) {
+    const ScratchFolder folder;
+    const auto sizeOf = [&](const char* columns) {
+        const ProcessResult result = bench(
+            {"sheet", "--sample", "wave", "--techniques", "relief,exact", "--size", "32", "--width",
+             "64", "--height", "48", "--columns", columns, "-o", folder.file("sheet.png")});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        const auto planes = textures::readPicture(folder.file("sheet.png"));
+        return std::pair(planes.at(0).width, planes.at(0).height);
+    };
+    const auto [width, height] = sizeOf("3");
+    EXPECT_GE(width, 3 * 64);
+    const auto [narrow, tall] = sizeOf("1");
+    EXPECT_LT(narrow, 2 * 64);
+    EXPECT_GE(tall, 3 * 48);
+}
+
 TEST(BenchSearch, WritesJsonAndPlot) {
     const ScratchFolder folder;
     const ProcessResult result = bench(
@@ -268,6 +286,9 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"render", "--steps", "0"},
         {"render", "--backend", "vulkan"},
         {"render", "--plot-against", "luck"},
+        {"sheet"},
+        {"sheet", "--sample", "mountains", "-o", folder.file("sheet.png")},
+        {"sheet", "--elevation", "0", "-o", folder.file("sheet.png")},
     };
     for (const Words& words : wrong) {
         const ProcessResult result = bench(words);

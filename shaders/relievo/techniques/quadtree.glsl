@@ -10,5 +10,7 @@
 float reliefHitInLeaf(ReliefRay ray, ReliefWalk walk, float under, float exit) {
     ReliefBracket bracket = reliefStretch(ray, under, min(exit, ray.end));
     if (bracket.above <= 0.0) return under;
+    // A ray that ends in the cell, above the relief, leaves the window there.
+    if (bracket.below < 0.0 && exit > ray.end) return kReliefBoundless;
     return bracket.below >= 0.0 ? reliefSecant(bracket) : bracket.inside;
 }

@@ -1,0 +1,28 @@
+#include "bench/sample_stages.h"
+
+#include <array>
+
+#include "bench/technique_maps.h"
+#include "preprocess/relief_baker.h"
+#include "textures/sample_reliefs.h"
+
+namespace relievo::bench {
+
+SampleStages::SampleStages(const std::string& sample, const StageSetting& setting)
+    : name_(sample),
+      setting_(setting),
+      relief_(textures::generateSampleRelief(sample, setting.size, setting.size)) {}
+
+SampleStage& SampleStages::of(const materials::Technique& technique) {
+    const preprocess::ReliefPlan plan = planFor(technique);
+    const std::string key = preprocess::optionWords(plan);
+    if (const auto found = stages_.find(key); found != stages_.end())
+        return found->second;
+    SampleStage stage{
+        viewer::SceneRenderer(preprocess::bakeRelief(relief_, plan), name_, {}),
+        gl::Framebuffer(setting_.width, setting_.height, std::array<GLenum, 1>{GL_RGBA8})};
+    stage.renderer.setSurface(surfaces::makeQuad(setting_.tiles, 1.0f));
+    return stages_.emplace(key, std::move(stage)).first->second;
+}
+
+}  // namespace relievo::bench

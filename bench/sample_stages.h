@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "gl/framebuffer.h"
+#include "materials/technique_registry.h"
+#include "surfaces/surface_mesh.h"
+#include "textures/depth_map.h"
+#include "viewer/scene_renderer.h"
+
+namespace relievo::bench {
+
+/// A relief on the GPU, with the maps of some techniques, and what its frames are drawn to: 8-bit
+/// colours.
+struct SampleStage {
+    viewer::SceneRenderer renderer;
+    gl::Framebuffer target;
+};
+
+/// How a sample relief is shown.
+struct StageSetting {
+    int size = 256;   ///< the relief is size×size texels
+    int width = 301;  ///< of the frames, in pixels
+    int height = 301;
+    surfaces::Tiles tiles{1.0f};  ///< on a quad
+};
+
+/// A sample relief with the maps of every technique that asks for it: those that need the same maps
+/// share a stage. Needs a current context for its whole life.
+class SampleStages {
+  public:
+    /// `sample` is one of textures::sampleReliefs.
+    SampleStages(const std::string& sample, const StageSetting& setting);
+
+    /// The stage for `technique`; bakes its maps when it is the first that needs them.
+    SampleStage& of(const materials::Technique& technique);
+
+  private:
+    std::string name_;
+    StageSetting setting_;
+    textures::DepthMap relief_;
+    std::map<std::string, SampleStage> stages_;
+};
+
+}  // namespace relievo::bench

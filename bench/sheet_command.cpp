@@ -1,0 +1,55 @@
+#include "bench/sheet_command.h"
+
+#include <fmt/format.h>
+
+#include "bench/benchmark_options.h"
+#include "commands/program.h"
+#include "materials/technique_registry.h"
+#include "textures/sample_reliefs.h"
+#include "viewer/picture.h"
+
+namespace relievo::bench {
+
+SheetCommand::SheetCommand(CLI::App& app)
+    : command_(app.add_subcommand(
+          "sheet", "A sheet of pictures: one view by every search technique and the exact hits")) {
+    for (const materials::Technique& technique : materials::techniques())
+        options_.techniques.emplace_back(technique.name);
+    addNamesOption(*command_, "--techniques", options_.techniques, "Search techniques");
+    std::vector<std::string> samples;
+    for (const textures::SampleRelief& sample : textures::sampleReliefs())
+        samples.emplace_back(sample.name);
+    const auto add = [this](const char* name, auto& value, const char* description) {
+        return command_->add_option(name, value, description)->capture_default_str();
+    };
+    add("--sample", options_.sample, "Generated relief")
+        ->check(CLI::IsMember(samples))
+        ->type_name("NAME");
+    add("--size", options_.size, "Texels of the relief on a side")->check(CLI::Range(1, 8192));
+    add("--width", options_.width, "Pixels of each picture")->check(CLI::Range(16, 4096));
+    add("--height", options_.height, "Pixels of each picture")->check(CLI::Range(16, 4096));
+    add("--columns", options_.columns, "Pictures in a row")->check(CLI::Range(1, 100));
+    add("--elevation", options_.elevation, "Degrees of the eye above the surface")
+        ->check(CLI::Range(1.0, 90.0));
+    add("--azimuth", options_.azimuth, "Degrees of the eye around the surface's normal")
+        ->check(CLI::Range(-360.0, 360.0));
+    add("--depth-scale", options_.depthScale, "Depth of the relief in tile widths")
+        ->check(CLI::Range(0.0, 1e3));
+    addBackendOption(*command_, options_.backend);
+    command_->add_option("-o,--output", output_, "The sheet: .png, .tif or .exr")
+        ->type_name("FILE")
+        ->required();
+    command_->footer(
+        "Examples:\n"
+        "  relievo-bench sheet -o sheet.png\n"
+        "  relievo-bench sheet --sample bricks --techniques relief,cone,exact --columns 2 -o "
+        "b.png");
+}
+
+void SheetCommand::run() const {
+    viewer::requirePictureFile(output_);
+    viewer::writePicture(output_, makeTechniqueSheet(options_));
+    commands::say(fmt::format("wrote {}", output_.string()));
+}
+
+}  // namespace relievo::bench

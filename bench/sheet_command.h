@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "bench/technique_sheet.h"
+
+namespace relievo::bench {
+
+/// `relievo-bench sheet`: its options, and what it does with them.
+class SheetCommand {
+  public:
+    /// Adds the subcommand to `app`. Parsing fills this object, so it must still be there then.
+    explicit SheetCommand(CLI::App& app);
+    SheetCommand(const SheetCommand&) = delete;
+    SheetCommand& operator=(const SheetCommand&) = delete;
+
+    /// Whether the parsed command line asks for it.
+    [[nodiscard]] bool chosen() const { return command_->parsed(); }
+    /// Draws the pictures and writes the file.
+    void run() const;
+
+  private:
+    CLI::App* command_;
+    TechniqueSheetOptions options_;
+    std::filesystem::path output_;
+};
+
+}  // namespace relievo::bench
