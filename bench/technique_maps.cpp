@@ -16,6 +16,10 @@ preprocess::ReliefPlan planFor(const materials::Technique& technique,
     plan.maps = std::move(words.maps);
     if (!words.cones.empty())
         plan.cone = std::move(words.cones);
+    // Displacements over a plane base are all that is read, and packing would leave those of eight
+    // elevations as large as they are.
+    plan.views.curvatures = 1;
+    plan.terms = 0;
     return plan;
 }
 

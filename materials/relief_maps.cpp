@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "textures/depth_pyramid.h"
+#include "textures/displacement_table.h"
 #include "textures/input_error.h"
 #include "textures/roof_layers.h"
 
@@ -25,6 +26,7 @@ constexpr std::string_view kRoofChannels[] = {"roof", "ratio"};
 constexpr std::string_view kVolumeChannels[] = {"volume"};
 constexpr std::string_view kExtremaChannels[] = {"dmin", "dmax"};
 constexpr std::string_view kCylinderChannels[] = {"cylinder"};
+constexpr std::string_view kDisplacementChannels[] = {"vdmfactor0"};
 
 // What belongs to its texel is not filtered: between two cones neither is valid, let alone their
 // mean.
@@ -91,19 +93,58 @@ constexpr ReliefMapFormat kFormats[] = {
      .channels = kCylinderChannels,
      .internalFormat = GL_R32F,
      .filter = GL_NEAREST},
+    {.name = "vdm",
+     .sampler = "relievoDisplacementMap",
+     .channels = kDisplacementChannels,
+     .internalFormat = GL_RGBA32F,
+     .filter = GL_LINEAR,
+     .form = ReliefMapForm::Displacements,
+     .number = {"relievo:vdm-scale", "relievoDisplacementScale", false, 0.1}},
+    {.name = "vdm-weights",
+     .sampler = "relievoDisplacementWeights",
+     .channels = kDisplacementChannels,
+     .internalFormat = GL_RGBA32F,
+     .filter = GL_LINEAR,
+     .form = ReliefMapForm::DisplacementWeights},
 };
 
 // Unlimited cones are infinite in memory, which a shader would turn into NaN (∞·0). This is as
 // good: it leads out of any window in one step.
 constexpr float kLargestUpload = 1e30f;
 
-std::vector<float> interleave(std::span<const textures::Plane* const> channels) {
-    const std::size_t texels = channels.front()->texels.size();
-    std::vector<float> result(texels * channels.size());
-    for (std::size_t c = 0; c < channels.size(); ++c)
-        for (std::size_t k = 0; k < texels; ++k)
-            result[k * channels.size() + c] = std::min(channels[c]->texels[k], kLargestUpload);
-    return result;
+void uploadLayer(std::span<const textures::Plane* const> channels, gl::Texture& texture, int layer,
+                 int level) {
+    const std::size_t count = channels.size();
+    std::vector<float> texels(channels.front()->texels.size() * count);
+    for (std::size_t k = 0; k < texels.size(); ++k)
+        texels[k] = std::min(channels[k % count]->texels[k / count], kLargestUpload);
+    texture.upload(texels, static_cast<int>(count), layer, level);
+}
+
+// The planes of the layers of an array; channels of one layer are r, g, b, a.
+using Layers = std::vector<std::vector<const textures::Plane*>>;
+
+// The terms of a table of displacements go four by four.
+constexpr std::size_t kTermsOfATexel = 4;
+
+std::size_t termGroups(const textures::DisplacementTable& table) {
+    return (table.terms() + kTermsOfATexel - 1) / kTermsOfATexel;
+}
+
+// What has no map of its own in a file.
+bool isMadeOfOthers(const ReliefMapFormat& format) {
+    return format.form == ReliefMapForm::Pyramid ||
+           format.form == ReliefMapForm::DisplacementWeights;
+}
+
+// What `read` returns; the errors that it throws have no file name yet.
+template <typename Read>
+auto readFrom(std::string_view file, const Read& read) {
+    try {
+        return read();
+    } catch (const textures::InputError& error) {
+        throw textures::InputError(fmt::format("{}: {}", file, error.what()));
+    }
 }
 
 // How to bake a map that is missing.
@@ -162,7 +203,7 @@ BakeWords bakeWordsFor(std::span<const std::string_view> mapNames) {
         if (!format.cones.empty()) {
             words.maps.emplace_back("cone");
             words.cones = format.cones;
-        } else if (format.form != ReliefMapForm::Pyramid &&
+        } else if (!isMadeOfOthers(format) &&
                    std::ranges::find(words.maps, name) == words.maps.end()) {
             words.maps.emplace_back(name);
         }
@@ -196,29 +237,52 @@ std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat
     return planes;
 }
 
-std::vector<std::vector<const textures::Plane*>> ReliefMaps::sectors(
-    const textures::MapSet& maps) const {
-    std::vector<std::vector<const textures::Plane*>> layers;
-    try {
-        for (const textures::RoofLayer& layer : textures::roofLayersOf(maps).layers)
-            layers.push_back({layer.roof, layer.ratio});
-    } catch (const textures::InputError& error) {
-        throw textures::InputError(fmt::format("{}: {}", name_, error.what()));
-    }
+Layers ReliefMaps::sectors(const textures::MapSet& maps) const {
+    const textures::RoofLayers roofs =
+        readFrom(name_, [&] { return textures::roofLayersOf(maps); });
+    Layers layers;
+    for (const textures::RoofLayer& layer : roofs.layers)
+        layers.push_back({layer.roof, layer.ratio});
     return layers;
 }
 
-std::vector<std::vector<const textures::Plane*>> ReliefMaps::layersOf(
-    const ReliefMapFormat& format, const textures::MapSet& maps) const {
-    std::vector<std::vector<const textures::Plane*>> layers;
-    if (format.form == ReliefMapForm::Sectors)
-        layers = sectors(maps);
-    else if (format.form == ReliefMapForm::Slices)
-        while (const textures::Plane* slice =
-                   maps.find(fmt::format("{}{}", format.channels.front(), layers.size())))
-            layers.push_back({slice});
-    else
-        layers.push_back(channelsOf(format, maps));
+Layers ReliefMaps::displacements(const textures::MapSet& maps) const {
+    const textures::DisplacementTable table =
+        readFrom(name_, [&] { return textures::displacementTableOf(maps); });
+    Layers layers;
+    const auto azimuths = static_cast<std::size_t>(table.azimuths);
+    for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth)
+        for (std::size_t group = 0; group < termGroups(table); ++group) {
+            auto& layer = layers.emplace_back();
+            for (std::size_t k = 0; k < kTermsOfATexel; ++k) {
+                // What fills up the last group has no weight.
+                const std::size_t term = std::min(group * kTermsOfATexel + k, table.terms() - 1);
+                layer.push_back(table.factors[term * azimuths + azimuth]);
+            }
+        }
+    return layers;
+}
+
+Layers ReliefMaps::layersOf(const ReliefMapFormat& format, const textures::MapSet& maps) const {
+    Layers layers;
+    switch (format.form) {
+        case ReliefMapForm::Sectors:
+            layers = sectors(maps);
+            break;
+        case ReliefMapForm::Slices:
+            while (const textures::Plane* slice =
+                       maps.find(fmt::format("{}{}", format.channels.front(), layers.size())))
+                layers.push_back({slice});
+            break;
+        case ReliefMapForm::Displacements:
+        case ReliefMapForm::DisplacementWeights:
+            layers = displacements(maps);
+            break;
+        case ReliefMapForm::Plane:
+        case ReliefMapForm::Pyramid:
+            layers.push_back(channelsOf(format, maps));
+            break;
+    }
     if (layers.empty())
         throw missing(format, format.channels.front());
     return layers;
@@ -266,8 +330,10 @@ const gl::Texture& ReliefMaps::texture(std::string_view mapName) {
     const ReliefMapFormat& format = reliefMapFormat(mapName);
     if (const auto found = textures_.find(format.name); found != textures_.end())
         return found->second;
-    gl::Texture texture =
-        format.form == ReliefMapForm::Pyramid ? uploadPyramid(format) : uploadLayers(format);
+    gl::Texture texture = format.form == ReliefMapForm::Pyramid ? uploadPyramid(format)
+                          : format.form == ReliefMapForm::DisplacementWeights
+                              ? uploadWeights(format)
+                              : uploadLayers(format);
     return textures_.emplace(format.name, std::move(texture)).first->second;
 }
 
@@ -283,8 +349,7 @@ gl::Texture ReliefMaps::uploadLayers(const ReliefMapFormat& format) const {
                 "{}: its MIP level {} has {} layers of the map {}, expected {} as in the first one",
                 name_, level, layers.size(), format.name, count));
         for (int layer = 0; layer < count; ++layer)
-            texture.upload(interleave(layers[static_cast<std::size_t>(layer)]),
-                           static_cast<int>(format.channels.size()), layer, level);
+            uploadLayer(layers[static_cast<std::size_t>(layer)], texture, layer, level);
     }
     texture.setSampling(glWrapMode(maps().wrap), format.filter);
     if (levelCount() > 1)
@@ -308,6 +373,21 @@ gl::Texture ReliefMaps::uploadPyramid(const ReliefMapFormat& format) const {
         texture.upload(levels[level].texels, 1, 0, static_cast<int>(level));
     texture.setSampling(GL_CLAMP_TO_EDGE, format.filter);
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    return texture;
+}
+
+gl::Texture ReliefMaps::uploadWeights(const ReliefMapFormat& format) const {
+    const textures::DisplacementTable table =
+        readFrom(name_, [&] { return textures::displacementTableOf(maps()); });
+    const std::size_t width = termGroups(table);
+    std::vector<float> texels(width * kTermsOfATexel * table.weights.size(), 0.0f);
+    for (std::size_t row = 0; row < table.weights.size(); ++row)
+        std::ranges::copy(table.weights[row], texels.begin() + static_cast<std::ptrdiff_t>(
+                                                                   row * width * kTermsOfATexel));
+    gl::Texture texture(static_cast<int>(width), static_cast<int>(table.weights.size()),
+                        format.internalFormat);
+    texture.upload(texels, static_cast<int>(kTermsOfATexel));
+    texture.setSampling(GL_CLAMP_TO_EDGE, format.filter);
     return texture;
 }
 

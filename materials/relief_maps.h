@@ -27,6 +27,11 @@ enum class ReliefMapForm {
     /// channel `depth` when it is uploaded. Sizes are those of the map rounded up to powers of two,
     /// so that a node of any level is a texel; texels beyond the map are 1.
     Pyramid,
+    /// A sampler2DArray with the factors of a textures::DisplacementTable: the terms four by four,
+    /// as r, g, b, a of a layer, all of the first azimuth, then all of the next.
+    Displacements,
+    /// A sampler2D with the weights of that table, a row for each elevation and four terms a texel.
+    DisplacementWeights,
 };
 
 /// A number that a search needs besides the texels of a map, kept in the map file.
@@ -104,10 +109,13 @@ class ReliefMaps {
         const ReliefMapFormat& format, const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<std::vector<const textures::Plane*>> sectors(
         const textures::MapSet& maps) const;
+    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> displacements(
+        const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<const textures::Plane*> channelsOf(
         const ReliefMapFormat& format, const textures::MapSet& maps) const;
     [[nodiscard]] gl::Texture uploadLayers(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadPyramid(const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture uploadWeights(const ReliefMapFormat& format) const;
     [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
                                                std::string_view channel) const;
 

@@ -18,6 +18,7 @@ constexpr std::string_view kVolumeMaps[] = {"depth", "volume"};
 constexpr std::string_view kExtremaMaps[] = {"depth", "extrema"};
 constexpr std::string_view kCylinderMaps[] = {"depth", "cylinder"};
 constexpr std::string_view kPyramidMaps[] = {"depth", "pyramid"};
+constexpr std::string_view kDisplacementMaps[] = {"depth", "vdm", "vdm-weights"};
 constexpr std::string_view kRoofMaps[] = {"depth", "roof"};
 
 // Parameters that several techniques take.
@@ -152,6 +153,14 @@ constexpr Technique kTechniques[] = {
      .maps = kDepthMaps,
      .parameters = kParallaxParameters,
      .errors = {{36.7, 2.37}, {100.0, 14.2}},
+     .isSearch = false},
+    {.name = "vdm",
+     .title = "view-dependent displacement mapping",
+     .origin = "Wang et al. 2003",
+     .file = "relievo/techniques/vdm.glsl",
+     .maps = kDisplacementMaps,
+     .parameters = {},
+     .errors = {{36.0, 1.33}, {94.8, 6.4}},
      .isSearch = false},
     {.name = "binary",
      .title = "binary search",

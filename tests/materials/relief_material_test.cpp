@@ -45,7 +45,9 @@ TEST_F(ReliefMaterialTest, EveryTechniqueBindsToBothPrograms) {
             // Each map to a unit of its own, and that of the shading once.
             std::set<std::string_view> maps(technique.maps.begin(), technique.maps.end());
             textures::MapSet set = flatMaps({"depth", "dx", "dy", "cone", "roof", "ratio", "dmin",
-                                             "dmax", "cylinder", "volume0", "volume1"});
+                                             "dmax", "cylinder", "volume0", "volume1", "vdm0"});
+            set.attributes["relievo:vdm-views"] = "1 1 1";
+            set.attributes["relievo:vdm-scale"] = "0.1";
             set.attributes["relievo:cone"] =
                 maps.contains("relaxed-cone") ? "relaxed" : "conservative";
             const ReliefMaterial material(std::make_shared<ReliefMaps>(set, "x.exr"), technique);

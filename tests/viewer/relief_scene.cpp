@@ -28,7 +28,8 @@ textures::MapSet bakeMaps(const textures::DepthMap& map, textures::ConeEncoding 
 textures::MapSet bakeMapsFor(const materials::Technique& technique, const textures::DepthMap& map,
                              textures::ConeEncoding encoding) {
     const preprocess::ReliefPlan plan = bench::planFor(technique);
-    return plan.cone == "relaxed" ? preprocess::bakeRelief(map, plan) : bakeMaps(map, encoding);
+    const bool isApart = plan.cone == "relaxed" || plan.has("vdm");
+    return isApart ? preprocess::bakeRelief(map, plan) : bakeMaps(map, encoding);
 }
 
 RayScene::RayScene(const textures::MapSet& maps, float azimuth, float elevation, float depthScale)

@@ -22,8 +22,8 @@ namespace relievo::viewer {
 textures::MapSet bakeMaps(const textures::DepthMap& map,
                           textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
 
-/// The maps for one technique: those of bakeMaps, or for one that reads relaxed cones those instead
-/// of conservative ones.
+/// The maps for one technique: those of bakeMaps, or for one that reads relaxed cones or a table of
+/// displacements its own.
 textures::MapSet bakeMapsFor(const materials::Technique& technique, const textures::DepthMap& map,
                              textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
 
