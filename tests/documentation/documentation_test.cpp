@@ -63,7 +63,7 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 TEST(Documentation, HasTheOptionsOfThePrograms) {
     expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
-    expectSameOptions("relievo-bench", {"", "bake", "render", "search"});
+    expectSameOptions("relievo-bench", {"", "bake", "render", "search", "sheet"});
 }
 
 TEST(Documentation, TheCheckSeesAnOptionThatIsMissing) {
