@@ -150,6 +150,24 @@ void shadowList(ViewOptions& options) {
     ImGui::EndCombo();
 }
 
+void shadingControls(ViewOptions& options) {
+    using materials::ShadingModel;
+    int model = static_cast<int>(options.shading.model);
+    ImGui::RadioButton("Blinn–Phong", &model, static_cast<int>(ShadingModel::BlinnPhong));
+    ImGui::SameLine(kPanelWidth / 2.0f);
+    ImGui::RadioButton("microfacet", &model, static_cast<int>(ShadingModel::Microfacet));
+    options.shading.model = static_cast<ShadingModel>(model);
+    if (options.shading.model != ShadingModel::Microfacet || options.textures.contains("orm"))
+        return;
+    const auto slider = [&](const char* name, float& value) {
+        ImGui::SetNextItemWidth(kSliderWidth);
+        if (!options.textures.contains(name))
+            ImGui::SliderFloat(name, &value, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    };
+    slider("roughness", options.shading.roughness);
+    slider("metalness", options.shading.metalness);
+}
+
 void sceneControls(WindowSettings& settings) {
     ViewOptions& options = settings.options;
     heading("scene");
@@ -168,6 +186,7 @@ void sceneControls(WindowSettings& settings) {
     shadowList(options);
     ImGui::SetNextItemWidth(kSliderWidth);
     ImGui::SliderFloat("light size", &options.lightSize, 0.0f, 30.0f, "%.1f°");
+    shadingControls(options);
     int object = static_cast<int>(options.object);
     ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
     ImGui::SameLine();

@@ -76,12 +76,16 @@ void drawObject(gl::Program& program, const SceneObject& object, const Camera& c
 
 }  // namespace
 
+materials::SurfaceTextures& FrameRenderer::texturesOf(const SceneObject& object) {
+    return object.textures ? *object.textures : noTextures_;
+}
+
 gl::Program& FrameRenderer::shadedProgram(const SceneObject& object, const FrameView& view) {
     if (!object.material)
         return programs_.get(kPlain, {}, {});
     std::vector<shaders::Define> defines = reliefDefines(object, view.camera);
-    if (object.albedo)
-        defines.push_back({"RELIEVO_ALBEDO", "1"});
+    for (shaders::Define& define : texturesOf(object).defines(object.shading))
+        defines.push_back(std::move(define));
     if (view.markExhausted)
         defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
     return programs_.get(kShaded, object.material->files(), defines);
@@ -98,10 +102,7 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
         setLight(program, view);
         if (object.material) {
             const GLuint unit = bindMaterial(program, object);
-            if (object.albedo) {
-                program.set("albedoMap", static_cast<int>(unit));
-                object.albedo->bind(unit);
-            }
+            texturesOf(object).bind(program, object.shading, unit);
         } else {
             program.set("plainColor", object.plainColor);
         }

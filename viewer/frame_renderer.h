@@ -7,6 +7,7 @@
 #include "gl/texture.h"
 #include "materials/program_cache.h"
 #include "materials/relief_material.h"
+#include "materials/surface_textures.h"
 #include "viewer/camera.h"
 #include "viewer/measured_frame.h"
 #include "viewer/surface_buffers.h"
@@ -19,8 +20,10 @@ struct SceneObject {
     const SurfaceBuffers* surface = nullptr;
     /// The relief with its technique, depth scale and window; null for a plain mesh.
     const materials::ReliefMaterial* material = nullptr;
-    const gl::Texture* albedo = nullptr;  ///< sRGB; null for a plain colour
-    glm::vec3 plainColor{0.6f};           ///< linear; of a plain mesh
+    /// The texture set of a relief; null for plain grey.
+    materials::SurfaceTextures* textures = nullptr;
+    materials::Shading shading;  ///< of a relief; a plain mesh is shaded with Blinn–Phong
+    glm::vec3 plainColor{0.6f};  ///< linear; of a plain mesh
     /// The hits of a material of materials::givenHitsTechnique().
     const gl::Texture* givenHits = nullptr;
     /// The shares of the light for a material with materials::givenShadowMethod().
@@ -48,8 +51,11 @@ class FrameRenderer {
 
   private:
     gl::Program& shadedProgram(const SceneObject& object, const FrameView& view);
+    /// The object's texture set, or the empty one.
+    materials::SurfaceTextures& texturesOf(const SceneObject& object);
 
     materials::ProgramCache programs_;
+    materials::SurfaceTextures noTextures_;
 };
 
 }  // namespace relievo::viewer

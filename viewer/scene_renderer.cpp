@@ -1,37 +1,20 @@
 #include "viewer/scene_renderer.h"
 
-#include <bit>
-#include <cmath>
+#include <utility>
+
+#include "gl/texture.h"
 
 namespace relievo::viewer {
-namespace {
 
-// An sRGB texture with a mip chain: colours of distant surfaces must be averages, in linear light.
-gl::Texture makeAlbedo(const Picture& picture, textures::WrapMode wrap) {
-    const int longest = std::max(picture.width, picture.height);
-    const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(longest)));
-    gl::Texture texture(picture.width, picture.height, GL_SRGB8_ALPHA8, 0, levels);
-    texture.upload(picture.rgba, 4);
-    texture.setSampling(materials::glWrapMode(wrap), GL_LINEAR);
-    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glGenerateTextureMipmap(texture.id());
-    return texture;
-}
-
-}  // namespace
-
-SceneRenderer::SceneRenderer(textures::MapSet maps, const std::string& name, const Picture& albedo)
-    : SceneRenderer(std::vector<textures::MapSet>{std::move(maps)}, name, albedo) {}
+SceneRenderer::SceneRenderer(textures::MapSet maps, const std::string& name,
+                             materials::TextureSet textures)
+    : SceneRenderer(std::vector<textures::MapSet>{std::move(maps)}, name, std::move(textures)) {}
 
 SceneRenderer::SceneRenderer(std::vector<textures::MapSet> levels, const std::string& name,
-                             const Picture& albedo)
+                             materials::TextureSet textures)
     : depthMap_(textures::depthMapOf(levels.front())),
-      reliefMaps_(std::make_shared<materials::ReliefMaps>(std::move(levels), name)) {
-    if (albedo.width > 0) {
-        albedo_ = makeAlbedo(albedo, depthMap_.wrap);
-        hasAlbedo_ = true;
-    }
-}
+      reliefMaps_(std::make_shared<materials::ReliefMaps>(std::move(levels), name)),
+      textures_(std::move(textures), depthMap_.wrap) {}
 
 void SceneRenderer::setSurface(const surfaces::SurfaceMesh& mesh) {
     surface_.emplace(mesh);
@@ -41,7 +24,7 @@ materials::ReliefMaterial SceneRenderer::makeMaterial(const materials::Technique
     return materials::ReliefMaterial(reliefMaps_, technique);
 }
 
-SceneObject SceneRenderer::objectIn(const View& view, materials::ReliefMaterial& material) const {
+SceneObject SceneRenderer::objectIn(const View& view, materials::ReliefMaterial& material) {
     material.depthScale = view.depthScale;
     material.window = view.window;
     if (view.slopes)
@@ -49,7 +32,8 @@ SceneObject SceneRenderer::objectIn(const View& view, materials::ReliefMaterial&
     SceneObject object;
     object.surface = &surface_.value();
     object.material = &material;
-    object.albedo = hasAlbedo_ ? &albedo_ : nullptr;
+    object.textures = &textures_;
+    object.shading = view.shading;
     return object;
 }
 

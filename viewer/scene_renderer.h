@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "gl/framebuffer.h"
-#include "gl/texture.h"
 #include "materials/relief_maps.h"
 #include "materials/relief_material.h"
+#include "materials/surface_textures.h"
 #include "surfaces/surface_mesh.h"
 #include "textures/map_set.h"
 #include "viewer/frame_renderer.h"
 #include "viewer/measured_frame.h"
-#include "viewer/picture.h"
 #include "viewer/reference_frame.h"
 
 namespace relievo::viewer {
@@ -26,6 +25,7 @@ struct View : FrameView {
     /// Where slopes come from; none: the best source that the relief has. A source that it lacks is
     /// refused with textures::InputError when something is drawn.
     std::optional<materials::SlopeSource> slopes;
+    materials::Shading shading;
 };
 
 /// A relief on a surface, drawn with any technique: the frame of one object. Needs a current
@@ -33,11 +33,11 @@ struct View : FrameView {
 /// headless run share every step.
 class SceneRenderer {
   public:
-    /// `name` stands for the relief in error messages. An empty albedo means plain grey.
-    SceneRenderer(textures::MapSet maps, const std::string& name, const Picture& albedo);
+    /// `name` stands for the relief in error messages. Without an albedo the relief is grey.
+    SceneRenderer(textures::MapSet maps, const std::string& name, materials::TextureSet textures);
     /// With the MIP levels of the relief, the first one first.
     SceneRenderer(std::vector<textures::MapSet> levels, const std::string& name,
-                  const Picture& albedo);
+                  materials::TextureSet textures);
 
     void setSurface(const surfaces::SurfaceMesh& mesh);
 
@@ -64,12 +64,11 @@ class SceneRenderer {
 
   private:
     /// The surface made of `material`, which takes what the view says of it.
-    SceneObject objectIn(const View& view, materials::ReliefMaterial& material) const;
+    SceneObject objectIn(const View& view, materials::ReliefMaterial& material);
 
     textures::DepthMap depthMap_;
     std::shared_ptr<materials::ReliefMaps> reliefMaps_;
-    gl::Texture albedo_;
-    bool hasAlbedo_ = false;
+    materials::SurfaceTextures textures_;
     FrameRenderer frames_;
     std::optional<SurfaceBuffers> surface_;
 };

@@ -106,6 +106,9 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
                    "differences of depths (height); default the first of these that the file has")
         ->transform(CLI::CheckedTransformer(sources).description(""))
         ->type_name("derivative|normal|height");
+}
+
+void addShadowOptions(CLI::App& app, ViewOptions& options) {
     app.add_option("--shadow", options.shadow,
                    "Shadows that the relief casts on itself: none, or a method of --list, which "
                    "the exact picture shows too")
@@ -116,8 +119,60 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
                    "the sun")
         ->check(CLI::Range(0.0, 90.0))
         ->capture_default_str();
-    app.add_option("--albedo", options.albedo, "Colour image (sRGB) for the surface; default grey")
-        ->type_name("FILE");
+}
+
+// A picture, or one number for the whole surface.
+void addTextureOrValue(CLI::App& app, ViewOptions& options, const std::string& name, float& value,
+                       const std::string& description) {
+    app.add_option_function<std::string>(
+           "--" + name,
+           [&options, &value, name](const std::string& text) {
+               float number = 0.0f;
+               const auto [end, error] =
+                   std::from_chars(text.data(), text.data() + text.size(), number);
+               if (error == std::errc() && end == text.data() + text.size())
+                   value = number;
+               else
+                   options.textures[name] = text;
+           },
+           description)
+        ->type_name("FILE|VALUE")
+        ->default_str(fmt::format("{:g}", value));
+}
+
+void addShadingOptions(CLI::App& app, ViewOptions& options) {
+    using materials::ShadingModel;
+    app.add_option("--shading", options.shading.model,
+                   "How the surface answers light: blinn-phong, or microfacet (metallic-roughness)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ShadingModel>{
+                                                {"blinn-phong", ShadingModel::BlinnPhong},
+                                                {"microfacet", ShadingModel::Microfacet}})
+                        .description(""))
+        ->type_name("NAME")
+        ->default_str("blinn-phong");
+    const auto addTexture = [&](const std::string& name, const char* description) {
+        app.add_option_function<std::string>(
+               "--" + name,
+               [&options, name](const std::string& file) { options.textures[name] = file; },
+               description)
+            ->type_name("FILE");
+    };
+    addTexture("albedo", "Colours (sRGB) of the surface; default grey");
+    addTextureOrValue(app, options, "roughness", options.shading.roughness,
+                      "Roughness of the microfacet model, a picture or a number in [0,1]");
+    addTextureOrValue(app, options, "metalness", options.shading.metalness,
+                      "Metalness of the microfacet model, a picture or a number in [0,1]");
+    addTexture("orm", "Occlusion, roughness and metalness as red, green and blue of one picture");
+    app.add_option_function<std::string>(
+           "--occlusion",
+           [&options](const std::string& text) {
+               options.bakedOcclusion = text == "baked";
+               if (!options.bakedOcclusion)
+                   options.textures["occlusion"] = text;
+           },
+           "Share of the light from all around that arrives: a picture, or baked for the channel "
+           "of the map file, which follows the depth scale")
+        ->type_name("FILE|baked");
 }
 
 void addOutputOptions(CLI::App& app, ViewOptions& options) {
@@ -179,6 +234,23 @@ bool hasShadowParameter(const ViewOptions& options, const ParameterSetting& sett
                                [&](const auto& info) { return info.name == setting.name; });
 }
 
+void checkShading(const ViewOptions& options) {
+    const auto given = [&](const char* name) { return options.textures.contains(name); };
+    const auto check = [&](const char* name, float value, float usual) {
+        if (!(value >= 0.0f && value <= 1.0f))
+            throw UsageError(fmt::format("--{} {}: expected a file or 0 to 1", name, value));
+        const bool isSet = given(name) || value != usual;
+        if (isSet && options.shading.model != materials::ShadingModel::Microfacet)
+            throw UsageError(fmt::format("--{} belongs to --shading microfacet", name));
+        if (isSet && given("orm"))
+            throw UsageError(fmt::format("--orm holds the {} already", name));
+    };
+    check("roughness", options.shading.roughness, materials::Shading().roughness);
+    check("metalness", options.shading.metalness, materials::Shading().metalness);
+    if (given("orm") && (given("occlusion") || options.bakedOcclusion))
+        throw UsageError("--orm holds the occlusion already");
+}
+
 // Every --set must reach the shadows or at least one technique that is shown.
 void checkParameters(const ViewOptions& options) {
     for (const ParameterSetting& setting : options.parameters) {
@@ -225,6 +297,8 @@ void addViewOptions(CLI::App& app, ViewOptions& options) {
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     addSceneOptions(app, options);
+    addShadowOptions(app, options);
+    addShadingOptions(app, options);
     addOutputOptions(app, options);
     app.add_flag("--list", options.list, "List the techniques with their parameters and exit");
 }
@@ -248,6 +322,7 @@ void checkViewOptions(const ViewOptions& options) {
     checkTechniques(options);
     if (options.shadow != kNoShadow)
         materials::findShadowMethod(options.shadow);
+    checkShading(options);
     checkErrorOutput(options);
     checkParameters(options);
 }

@@ -9,6 +9,7 @@
 
 #include "gl/context.h"
 #include "materials/slope_sources.h"
+#include "materials/surface_textures.h"
 #include "viewer/camera.h"
 
 namespace CLI {
@@ -49,7 +50,10 @@ struct ViewOptions {
     int height = 512;
     /// Where slopes come from; none: the best source that the file has.
     std::optional<materials::SlopeSource> normals;
-    std::filesystem::path albedo;     ///< empty: plain grey
+    materials::Shading shading;
+    /// Pictures by the names of materials::surfaceTextureFormats().
+    std::map<std::string, std::filesystem::path> textures;
+    bool bakedOcclusion = false;      ///< take the occlusion of the map file
     std::filesystem::path output;     ///< headless: the picture
     std::filesystem::path errorFile;  ///< headless: raw errors
     bool headless = false;

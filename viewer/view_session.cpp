@@ -5,6 +5,7 @@
 #include <span>
 
 #include "textures/map_file.h"
+#include "viewer/texture_files.h"
 
 namespace relievo::viewer {
 namespace {
@@ -21,8 +22,10 @@ bool has(std::span<const materials::TechniqueParameter> parameters, std::string_
 std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
                                           const ViewOptions& options) {
     textures::MapSet maps = textures::readMapFile(file);
-    const Picture albedo = options.albedo.empty() ? Picture() : readPicture(options.albedo);
-    auto renderer = std::make_unique<SceneRenderer>(std::move(maps), file.string(), albedo);
+    materials::TextureSet textures =
+        readTextureSet(options.textures, options.bakedOcclusion, maps, file.string());
+    auto renderer =
+        std::make_unique<SceneRenderer>(std::move(maps), file.string(), std::move(textures));
     renderer->setSurface(makeObject(options, static_cast<float>(renderer->depthMap().aspect())));
     return renderer;
 }
@@ -40,6 +43,7 @@ View makeView(const ViewOptions& options, float frameAspect) {
     view.depthScale = options.depthScale;
     view.window = glm::vec4(0.0f, 0.0f, options.tiles.x, options.tiles.y);
     view.slopes = options.normals;
+    view.shading = options.shading;
     view.markExhausted = options.markExhausted;
     view.lightRadius = glm::radians(options.lightSize / 2.0f);
     view.lightRays = options.shadow == kNoShadow ? 0 : kLightRays;

@@ -8,8 +8,8 @@
 
 namespace relievo::viewer {
 
-/// Reads the map file and the albedo and puts the relief on the object that `options` name. Needs a
-/// current context. Throws textures::InputError.
+/// Reads the map file and the texture set and puts the relief on the object that `options` name.
+/// Needs a current context. Throws textures::InputError.
 std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
                                           const ViewOptions& options);
 

@@ -22,6 +22,7 @@
 #include "viewer/exact_tracker.h"
 #include "viewer/imgui_session.h"
 #include "viewer/orbit_control.h"
+#include "viewer/picture.h"
 #include "viewer/window_overlay.h"
 
 namespace relievo::viewer {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "materials/relief_maps.h"
+#include "materials/slope_sources.h"
+#include "materials/surface_textures.h"
 #include "materials/technique_registry.h"
 #include "tests/commands/process.h"
 
@@ -80,6 +82,16 @@ TEST(Documentation, HasTheUniformsOfTheTechniques) {
             EXPECT_NE(document.find(materials::reliefMapFormat(map).sampler), std::string::npos)
                 << map;
     }
+}
+
+TEST(Documentation, HasTheTextureSetAndTheSourcesOfSlopes) {
+    const std::string document = tests::readBytes(kSources + "/docs/materials.md");
+    for (const materials::SurfaceTextureFormat& format : materials::surfaceTextureFormats())
+        for (const std::string_view name : {format.sampler, format.define})
+            EXPECT_NE(document.find("`" + std::string(name) + "`"), std::string::npos) << name;
+    for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
+        EXPECT_NE(document.find("| `" + std::string(entry.name) + "` |"), std::string::npos)
+            << entry.name;
 }
 
 TEST(Documentation, HasEveryTechnique) {

@@ -24,7 +24,20 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}, {"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
-    {{"RELIEVO_ALBEDO", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
+    {{"RELIEVO_ALBEDO_MAP", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
+
+// What a texture set may ask the shading's text to define.
+const std::vector<std::vector<shaders::Define>> kShadings = {
+    {},
+    {{"RELIEVO_OCCLUSION_MAP", "1"}, {"RELIEVO_OCCLUSION_BAKED", "1"}},
+    {{"RELIEVO_ORM_MAP", "1"}},
+    {{"RELIEVO_MICROFACET", "1"}},
+    {{"RELIEVO_MICROFACET", "1"}, {"RELIEVO_ORM_MAP", "1"}},
+    {{"RELIEVO_MICROFACET", "1"},
+     {"RELIEVO_ALBEDO_MAP", "1"},
+     {"RELIEVO_ROUGHNESS_MAP", "1"},
+     {"RELIEVO_METALNESS_MAP", "1"},
+     {"RELIEVO_OCCLUSION_MAP", "1"}}};
 
 constexpr const char* kEsHeader =
     "#version 300 es\n"
@@ -51,6 +64,11 @@ class Glslang {
 TEST(GlslangTest, AcceptsEveryProgram) {
     Glslang compiler;
     compiler.add("plain", expandFragment("relievo/programs/plain.frag", {}, {}).text);
+    for (std::size_t k = 0; k < kShadings.size(); ++k)
+        compiler.add("shading-" + std::to_string(k),
+                     expandFragment("relievo/programs/shaded.frag", {findTechnique("normal").file},
+                                    kShadings[k])
+                         .text);
     for (const Technique& technique : techniques())
         for (const std::string fragment : {"shaded", "measured"})
             for (std::size_t k = 0; k < kVariants.size(); ++k)
@@ -74,30 +92,38 @@ TEST(GlslangTest, AcceptsEveryProgram) {
     EXPECT_EQ(result.exitStatus, 0) << result.output;
 }
 
-// What the searches and the shading are made of is GLSL ES 3.00 as well.
-TEST(GlslangTest, AcceptsEveryTechniqueInGlslEs) {
-    constexpr const char* kMain = R"glsl(
+constexpr const char* kEsMain = R"glsl(
 #include "relievo/material.glsl"
-#include "relievo/blinn_phong.glsl"
+#include "relievo/shading.glsl"
 uniform mat4 viewProjection;
 uniform ReliefSurface surface;
 uniform vec3 view;
 out vec4 color;
 void main() {
     ReliefFragment relief = traceRelief(surface, view);
-    color = vec4(blinnPhong(vec3(1.0), relief.normal, -view, -view, vec3(1.0)), 1.0);
+    vec2 uv = relief.hit.position.xy;
+    ReliefAppearance appearance = reliefAppearance(uv, dFdx(uv), dFdy(uv), relievoDepthScale);
+    color = vec4(shadeRelief(appearance, relief.normal, -view, -view, vec3(1.0)), 1.0);
     gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }
 )glsl";
+
+// What the searches and the shading are made of is GLSL ES 3.00 as well.
+TEST(GlslangTest, AcceptsEveryTechniqueInGlslEs) {
+    const auto expand = [](const Technique& technique,
+                           const std::vector<shaders::Define>& defines) {
+        return shaders::expandShader("fragment shader",
+                                     "#include \"" + std::string(technique.file) + "\"\n" + kEsMain,
+                                     kEsHeader, defines)
+            .text;
+    };
     Glslang compiler;
+    for (std::size_t k = 0; k < kShadings.size(); ++k)
+        compiler.add("shading-" + std::to_string(k), expand(findTechnique("normal"), kShadings[k]));
     for (const Technique& technique : techniques())
         for (std::size_t k = 0; k < kVariants.size(); ++k)
-            compiler.add(
-                std::string(technique.name) + "-" + std::to_string(k),
-                shaders::expandShader("fragment shader",
-                                      "#include \"" + std::string(technique.file) + "\"\n" + kMain,
-                                      kEsHeader, kVariants[k])
-                    .text);
+            compiler.add(std::string(technique.name) + "-" + std::to_string(k),
+                         expand(technique, kVariants[k]));
     const tests::ProcessResult result = compiler.run();
     EXPECT_EQ(result.exitStatus, 0) << result.output;
 }

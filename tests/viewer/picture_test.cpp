@@ -50,7 +50,7 @@ class Pictures : public testing::TestWithParam<textures::WrapMode> {
 TEST_P(Pictures, FineSearchLooksLikeTheReference) {
     textures::DepthMap map = textures::generateSampleRelief("noise", 64, 48);
     map.wrap = GetParam();
-    SceneRenderer renderer(bakeMaps(map), "test", Picture());
+    SceneRenderer renderer(bakeMaps(map), "test", {});
     renderer.setSurface(surfaces::makeQuad({3, 3}, 0.75f));
     const View view = tiledView();
     gl::Framebuffer target = makeColorTarget(kSize, kSize);

@@ -54,7 +54,7 @@ class RaySetup : public testing::Test {
     RaySetup()
         : map_(textures::generateSampleRelief("wave", 64, 32)),
           quad_{{2.0, 3.0}, 0.5},
-          renderer_(bakeMaps(map_), "test", Picture()) {
+          renderer_(bakeMaps(map_), "test", {}) {
         renderer_.setSurface(surfaces::makeQuad({2, 3}, 0.5f));
         OrbitCamera orbit;
         orbit.distance = 1.3f;
@@ -116,7 +116,7 @@ TEST_F(RaySetup, RecordsMissesAsWell) {
 
 TEST_F(RaySetup, HitsStayInsideTheWindow) {
     for (const materials::Technique& technique : materials::techniques()) {
-        SceneRenderer renderer(bakeMapsFor(technique, map_), "test", Picture());
+        SceneRenderer renderer(bakeMapsFor(technique, map_), "test", {});
         renderer.setSurface(surfaces::makeQuad({2, 3}, 0.5f));
         materials::ReliefMaterial material = renderer.makeMaterial(technique);
         for (const MeasuredPixel& pixel :

@@ -33,7 +33,7 @@ textures::MapSet bakeMapsFor(const materials::Technique& technique, const textur
 }
 
 RayScene::RayScene(const textures::MapSet& maps, float azimuth, float elevation, float depthScale)
-    : renderer(maps, "test", Picture()) {
+    : renderer(maps, "test", {}) {
     renderer.setSurface(
         surfaces::makeQuad({1, 1}, static_cast<float>(renderer.depthMap().aspect())));
     look(azimuth, elevation, depthScale);

@@ -134,14 +134,15 @@ TEST_F(Shading, TopLeftOfTheFileIsTopLeftOnTheScreen) {
 }
 
 TEST_F(Shading, AlbedoAppearsWhereThePictureHasIt) {
-    Picture albedo(2, 2);
+    std::vector<textures::Plane> albedo(3, textures::Plane(2, 2));
     const std::array<glm::vec3, 4> colors = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0),
                                              glm::vec3(0, 0, 1), glm::vec3(1, 1, 0)};
     for (int k = 0; k < 4; ++k)
         for (int c = 0; c < 3; ++c)
-            albedo.pixel(k % 2, k / 2)[c] = colors[static_cast<std::size_t>(k)][c];
+            albedo[static_cast<std::size_t>(c)].at(k % 2, k / 2) =
+                colors[static_cast<std::size_t>(k)][c];
     textures::DepthMap map{textures::Plane(4, 4, 0.5f), textures::WrapMode::Repeat};
-    SceneRenderer renderer(bakeMaps(map), "test", albedo);
+    SceneRenderer renderer(bakeMaps(map), "test", {.pictures = {{"albedo", albedo}}});
     renderer.setSurface(surfaces::makeQuad({1, 1}, 1.0f));
     View view;
     view.camera = parallelRays(0.0f, 90.0f, 1.0f);

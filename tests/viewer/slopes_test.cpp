@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "bilinear_relief.h"
 #include "materials/slope_sources.h"
 #include "preprocess/relief_baker.h"
 #include "relief_scene.h"
@@ -15,42 +16,6 @@ namespace relievo::viewer {
 namespace {
 
 constexpr double kNormalScale = 0.1;  // a0 of the stored normals
-
-// D(u,v) = 0.2 + 0.3u + 0.2v + 0.25uv: bilinear all over, so that interpolated depths and slopes
-// are those of the formula.
-double depthAt(glm::dvec2 uv) {
-    return 0.2 + 0.3 * uv.x + 0.2 * uv.y + 0.25 * uv.x * uv.y;
-}
-
-// The unit normal of that relief at the depth scale, for texels as wide as high.
-glm::dvec3 normalAt(glm::dvec2 uv, double aspect, double depthScale) {
-    const glm::dvec2 gradient(0.3 + 0.25 * uv.y, (0.2 + 0.25 * uv.x) / aspect);
-    return glm::normalize(glm::dvec3(depthScale * gradient, 1.0));
-}
-
-// The maps of that relief, all from the formula.
-textures::MapSet bilinearMaps(int width, int height) {
-    const double aspect = static_cast<double>(height) / width;
-    std::array<textures::Plane, 6> planes;
-    planes.fill(textures::Plane(width, height));
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            const glm::dvec2 uv((i + 0.5) / width, (j + 0.5) / height);
-            const glm::dvec3 steep = normalAt(uv, aspect, 1.0);
-            const glm::dvec3 normal = normalAt(uv, aspect, kNormalScale);
-            const std::array<double, 6> values = {depthAt(uv), steep.x / steep.z, steep.y / steep.z,
-                                                  normal.x,    normal.y,          normal.z};
-            for (std::size_t c = 0; c < values.size(); ++c)
-                planes[c].at(i, j) = static_cast<float>(values[c]);
-        }
-    textures::MapSet maps;
-    maps.wrap = textures::WrapMode::Clamp;
-    const std::array names = {"depth", "dx", "dy", "nx", "ny", "nz"};
-    for (std::size_t c = 0; c < names.size(); ++c)
-        maps.channels.push_back({names[c], planes[c]});
-    maps.attributes["relievo:normal-scale"] = std::to_string(kNormalScale);
-    return maps;
-}
 
 double angle(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -78,8 +43,8 @@ double deviation(const MeasuredFrame& frame, double aspect, double depthScale) {
     for (const MeasuredPixel& pixel : frame.pixels) {
         const glm::dvec2 uv(pixel.hit.x, pixel.hit.y);
         if (pixel.covered && std::min({uv.x, uv.y, 1.0 - uv.x, 1.0 - uv.y}) > 0.05)
-            largest = std::max(largest,
-                               angle(glm::dvec3(pixel.normal), normalAt(uv, aspect, depthScale)));
+            largest = std::max(
+                largest, angle(glm::dvec3(pixel.normal), bilinearNormalAt(uv, aspect, depthScale)));
     }
     return largest;
 }

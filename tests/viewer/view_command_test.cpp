@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <fstream>
 
@@ -11,6 +12,7 @@
 #include "tests/commands/process.h"
 #include "tests/viewer/map_fixture.h"
 #include "textures/map_file.h"
+#include "textures/picture_file.h"
 #include "textures/sample_reliefs.h"
 #include "viewer/picture.h"
 
@@ -88,6 +90,41 @@ TEST_F(ViewCommandTest, NormalsComeFromWhatTheFileHas) {
         0);
     EXPECT_EQ(readBytes(outputs_.file("height.png")), readBytes(outputs_.file("forced.png")));
     EXPECT_EQ(readBytes(outputs_.file("height.png")), readBytes(outputs_.file("derivative.png")));
+}
+
+TEST_F(ViewCommandTest, ShadingAndItsTexturesAreSeen) {
+    const std::string picture = outputs_.file("picture.png");
+    const auto pixels = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> words = {"--technique", "relief"};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProcessResult result = render(map(), picture, words);
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        return readBytes(picture);
+    };
+    const std::string grey = inputs_.file("4grey.png");
+    const std::array planes = {textures::Plane(2, 2, 0.25f)};
+    textures::writePicture(grey, planes, textures::StorageFormat::U8);
+    const std::string phong = pixels({});
+    EXPECT_EQ(pixels({"--shading", "blinn-phong"}), phong);
+    const std::string rough = pixels({"--shading", "microfacet", "--roughness", "0.9"});
+    EXPECT_NE(rough, phong);
+    EXPECT_NE(pixels({"--shading", "microfacet", "--roughness", grey}), rough);
+    EXPECT_NE(pixels({"--shading", "microfacet", "--roughness", "0.9", "--metalness", "1"}), rough);
+    EXPECT_NE(pixels({"--occlusion", grey}), phong);
+}
+
+TEST_F(ViewCommandTest, TexturesThatDoNotFitAreRefused) {
+    const std::string picture = outputs_.file("x.png");
+    const std::string grey = inputs_.file("grey.png");
+    const std::array planes = {textures::Plane(2, 2, 0.25f)};
+    textures::writePicture(grey, planes, textures::StorageFormat::U8);
+    expectFailure(render(map(), picture, {"--roughness", "0.2"}), 2, "--shading microfacet");
+    expectFailure(render(map(), picture, {"--shading", "microfacet", "--metalness", "2"}), 2,
+                  "0 to 1");
+    expectFailure(render(map(), picture, {"--orm", grey, "--occlusion", grey}), 2, "--orm");
+    expectFailure(render(map(), picture, {"--orm", grey}), 1, "grey.png: too few channels (1)");
+    expectFailure(render(map(), picture, {"--occlusion", "baked"}), 1, "\"occlusion\"");
+    expectFailure(render(map(), picture, {"--occlusion", inputs_.file("none.png")}), 1, "none.png");
 }
 
 TEST_F(ViewCommandTest, NormalsThatTheFileLacksAreRefused) {

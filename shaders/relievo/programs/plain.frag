@@ -1,5 +1,5 @@
 // A mesh without a relief, shaded with Blinn–Phong.
-#include "relievo/blinn_phong.glsl"
+#include "relievo/shading/blinn_phong.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/surface_input.glsl"
 
@@ -9,6 +9,6 @@ uniform vec3 plainColor;
 layout(location = 0) out vec4 color;
 
 void main() {
-    vec3 shaded = blinnPhong(plainColor, normalize(surfaceNormal), toLight, -surfaceView(), vec3(1.0));
+    vec3 shaded = shadeRelief(ReliefAppearance(plainColor, 0.5, 0.0, 1.0), normalize(surfaceNormal), toLight, -surfaceView(), vec3(1.0));
     color = vec4(toSrgb(clamp(shaded, 0.0, 1.0)), 1.0);
 }

@@ -1,6 +1,6 @@
-// A relief shaded with Blinn–Phong, writing the depth of its hits.
+// A shaded relief that writes the depth of its hits.
 #include "relievo/material.glsl"
-#include "relievo/blinn_phong.glsl"
+#include "relievo/shading.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/depth_output.glsl"
 #include "relievo/programs/surface_input.glsl"
@@ -9,9 +9,6 @@ uniform mat4 viewProjection;
 uniform vec3 toLight;
 #ifdef RELIEVO_SHADOW
 uniform float lightRadius;  // radians
-#endif
-#ifdef RELIEVO_ALBEDO
-uniform sampler2D albedoMap;  // sRGB
 #endif
 
 layout(location = 0) out vec4 color;
@@ -28,17 +25,14 @@ void main() {
     if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) discard;
 #endif
 
-#ifdef RELIEVO_ALBEDO
-    vec3 albedo = textureGrad(albedoMap, relief.hit.position.xy, uvX, uvY).rgb;
-#else
-    vec3 albedo = vec3(0.6);
-#endif
+    ReliefAppearance appearance =
+        reliefAppearance(relief.hit.position.xy, uvX, uvY, relievoDepthScale);
     vec3 light = vec3(1.0);
 #ifdef RELIEVO_SHADOW
     light *= reliefVisibility(
         makeReliefLight(surfaceInput(), relief.hit.position, toLight, lightRadius));
 #endif
-    vec3 shaded = blinnPhong(albedo, relief.normal, toLight, -view, light);
+    vec3 shaded = shadeRelief(appearance, relief.normal, toLight, -view, light);
 #ifdef RELIEVO_MARK_EXHAUSTED
     if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) shaded = vec3(1.0, 0.0, 1.0);
 #endif
