@@ -39,10 +39,10 @@ double greatestShift(const surfaces::SurfaceExtent& extent, const DrawnView& vie
 
 ReliefMaterial materialForDraw(const ReliefMaterial& material,
                                const surfaces::SurfaceExtent& extent, const DrawnView& view) {
-    // Where light rays are searched the shadows show more of the relief than its depth.
-    const bool isAuto = &material.technique() == &findTechnique("auto");
-    if (!isAuto || (material.shadow() && material.shadow()->searches))
+    if (&material.technique() != &findTechnique("auto"))
         return material;
+    if (material.shadow() && material.shadow()->searches)
+        return material.shownBy(findTechnique("exact"));
     const glm::dvec2 range(material.maps().depthRange());
     const double halfDepth = 0.5 * (range.y - range.x) * static_cast<double>(material.depthScale) *
                              static_cast<double>(extent.widestTile);

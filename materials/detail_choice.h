@@ -19,11 +19,13 @@ struct DrawnView {
 /// eye. Points outside the picture do not count.
 double greatestShift(const surfaces::SurfaceExtent& extent, const DrawnView& view, double length);
 
-/// The material for one draw of a surface. That is `material`, unless its technique is `auto` and
-/// no point can be out of place by more than its `pixel-error` on the plane halfway through the
-/// relief: then it is that plane (middleTechnique), so that the program has no search and needs
-/// none of its maps; but not where light rays are searched for shadows. `auto` itself shows the
-/// same there, and turns into the plane before: the change cannot be seen.
+/// The material for one draw of a surface, which is `material` unless its technique is `auto`:
+/// - When no point can be out of place by more than its `pixel-error` on the plane halfway through
+///   the relief, it is that plane (middleTechnique), so that the program has no search and needs
+///   none of its maps. `auto` itself shows the same there, and turns into the plane before: the
+///   change cannot be seen.
+/// - When it casts light rays for its shadow it is `exact`: they begin on the relief itself, and a
+///   shadow may be much longer than the relief is deep.
 ReliefMaterial materialForDraw(const ReliefMaterial& material,
                                const surfaces::SurfaceExtent& extent, const DrawnView& view);
 

@@ -82,6 +82,10 @@ ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
     other.levels = levels;
     other.slopes_ = slopes_;
     other.setShadow(shadow_);
+    for (ParameterValue& value : other.values_)
+        for (const ParameterValue& known : values_)
+            if (known.info->uniform == value.info->uniform)
+                value.value = known.value;
     return other;
 }
 

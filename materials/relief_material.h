@@ -28,8 +28,8 @@ class ReliefMaterial {
     /// textures::InputError when `maps` lacks a channel that the technique needs.
     ReliefMaterial(std::shared_ptr<ReliefMaps> maps, const Technique& technique);
 
-    /// The same relief in the same place by another technique, whose parameters take their
-    /// defaults. Throws as the constructor does.
+    /// The same relief in the same place, with the same slopes and shadow, by another technique;
+    /// parameters that both have keep their values. Throws as the constructor does.
     [[nodiscard]] ReliefMaterial shownBy(const Technique& technique) const;
 
     /// Lets the relief cast shadows on itself by `method` (which must stay there; null: none).

@@ -11,6 +11,7 @@
 
 #include "bench/technique_maps.h"
 #include "materials/detail_choice.h"
+#include "materials/shadow_registry.h"
 #include "preprocess/relief_baker.h"
 #include "relief_scene.h"
 #include "shaders/relievo/constants.h"
@@ -126,6 +127,18 @@ TEST_F(Auto, FarAwayIsNotSearched) {
     EXPECT_EQ(countWork(measureFrom(15.0f, kDefaultError)).meanFetches, 0.0);
     EXPECT_GT(countWork(measureFrom(1.5f, kDefaultError)).meanFetches, 2.0);
     EXPECT_GT(countWork(measureFrom(15.0f, 0.001)).meanFetches, 2.0);
+}
+
+// Shadows are longer than the relief is deep, so that their light rays begin at true hits.
+TEST_F(Auto, LightRaysBeginOnTheRelief) {
+    RayScene scene = sceneOf(textures::generateSampleRelief("spikes", kMapSize, kMapSize));
+    scene.view.camera =
+        perspectiveCamera({.azimuth = 20.0f, .elevation = 30.0f, .distance = 15.0f}, 1.0f);
+    materials::ReliefMaterial material = scene.renderer.makeMaterial(autoTechnique());
+    material.setShadow(&materials::findShadowMethod("search"));
+    EXPECT_LT(worstShift(scene, material), 1e-3);
+    material.setShadow(nullptr);
+    EXPECT_GT(worstShift(scene, material), 1e-2);
 }
 
 // What is drawn does not depend on which of the two programs draws it.

@@ -7,7 +7,9 @@
 // - In between the hit turns into that plane, so that no border is seen. With half of the depth n times
 //   the target, n from 1 to 2, the error is at most (2 − n)·n times the target, which is not above it.
 //
-// Error: relievoPixelError. Cost: that of techniques/exact.glsl or less.
+// Error: relievoPixelError. Cost: that of techniques/exact.glsl or less. Light rays that begin at such hits
+// would begin above or below the relief: programs with shadows/search.glsl or soft.glsl take
+// techniques/exact.glsl instead.
 #include "relievo/search/middle.glsl"
 #include "relievo/search/roofs.glsl"
 
