@@ -29,9 +29,10 @@ void reliefNarrow(ReliefRay ray, float t, inout ReliefBracket bracket) {
     }
 }
 
-// Where the line through the ends' heights crosses the surface. The ends may both lie on it.
+// Where the line through the ends' heights crosses the surface: at the start when that is in the solid
+// already. The ends may both lie on the surface.
 float reliefSecant(ReliefBracket bracket) {
     float both = bracket.above + bracket.below;
-    float share = both > 0.0 ? bracket.above / both : 0.0;
+    float share = both > 0.0 ? max(bracket.above / both, 0.0) : 0.0;
     return mix(bracket.outside, bracket.inside, share);
 }

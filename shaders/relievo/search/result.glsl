@@ -13,8 +13,8 @@ ReliefHit reliefResult(ReliefRay ray, float t, int outcome, int steps) {
     return ReliefHit(point, t, outcome, steps, reliefFetchCount);
 }
 
-// A hit at t, or a miss when the ray ends before.
+// A hit at t, or a miss when the ray ends before. What is behind the ray's start is a hit there.
 ReliefHit reliefHitWithin(ReliefRay ray, float t, int steps) {
-    return reliefResult(ray, min(t, ray.end),
+    return reliefResult(ray, clamp(t, 0.0, ray.end),
                         t <= ray.end ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS, steps);
 }

@@ -7,7 +7,9 @@ uniform int relievoMostSteps;    // at grazing angles
 uniform int relievoFewestSteps;  // from straight above
 
 int reliefFind(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
-    float count = mix(float(relievoMostSteps), float(relievoFewestSteps), reliefCosine(ray));
+    // Rays that rise are as steep as those that come down.
+    float steepness = abs(reliefCosine(ray));
+    float count = mix(float(relievoMostSteps), float(relievoFewestSteps), steepness);
     return reliefMarch(ray, int(ceil(count)), bracket, steps);
 }
 

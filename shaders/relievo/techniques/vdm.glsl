@@ -47,5 +47,5 @@ ReliefHit searchRelief(ReliefRay ray) {
     const float rightAngle = 1.570796327;
     float elevation = atan(relievoDisplacementScale * ray.direction.z, ray.speed) / rightAngle;
     float t = entry + reliefDisplacement(uv, way, elevation) / ray.direction.z;
-    return reliefHitWithin(ray, max(t, 0.0), 1);
+    return reliefHitWithin(ray, t, 1);
 }
