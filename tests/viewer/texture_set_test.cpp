@@ -172,7 +172,7 @@ TEST_F(Textures, AreUploadedWhenTheShadingReadsThem) {
     const auto bind = [&](const materials::Shading& shading) {
         materials::ProgramCache programs;
         gl::Program& program =
-            programs.get("relievo/programs/shaded.frag", materials::findTechnique("normal").file,
+            programs.get("relievo/programs/shaded.frag", {materials::findTechnique("normal").file},
                          set.defines(shading));
         const GLuint units = set.bind(program, shading, 5) - 5;
         EXPECT_EQ(program.hasUniform("relievoRoughnessMap"),
