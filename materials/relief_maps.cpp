@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "materials/ellipse_moments.h"
 #include "textures/depth_pyramid.h"
 #include "textures/displacement_table.h"
 #include "textures/input_error.h"
@@ -27,6 +28,9 @@ constexpr std::string_view kVolumeChannels[] = {"volume"};
 constexpr std::string_view kExtremaChannels[] = {"dmin", "dmax"};
 constexpr std::string_view kCylinderChannels[] = {"cylinder"};
 constexpr std::string_view kDisplacementChannels[] = {"vdmfactor0"};
+constexpr std::string_view kHorizonChannels[] = {"horizon"};
+constexpr std::string_view kEllipseChannels[] = {"ellipsex", "ellipsey", "ellipsea", "ellipseb",
+                                                 "ellipseangle"};
 
 // What belongs to its texel is not filtered: between two cones neither is valid, let alone their
 // mean.
@@ -80,7 +84,7 @@ constexpr ReliefMapFormat kFormats[] = {
      .channels = kVolumeChannels,
      .internalFormat = GL_R32F,
      .filter = GL_NEAREST,
-     .form = ReliefMapForm::Slices,
+     .form = ReliefMapForm::Numbered,
      .number = {"relievo:volume-scale", "relievoVolumeScale", false, 0.1}},
     {.name = "extrema",
      .sampler = "relievoExtremaMap",
@@ -106,6 +110,19 @@ constexpr ReliefMapFormat kFormats[] = {
      .internalFormat = GL_RGBA32F,
      .filter = GL_LINEAR,
      .form = ReliefMapForm::DisplacementWeights},
+    {.name = "horizon",
+     .sampler = "relievoHorizonMap",
+     .channels = kHorizonChannels,
+     .internalFormat = GL_R32F,
+     .filter = GL_LINEAR,
+     .form = ReliefMapForm::Numbered},
+    {.name = "ellipse",
+     .sampler = "relievoEllipseMap",
+     .channels = kEllipseChannels,
+     .internalFormat = GL_RGB32F,
+     .filter = GL_LINEAR,
+     .form = ReliefMapForm::Ellipses,
+     .number = {"relievo:normal-scale", "relievoEllipseScale", false, 0.0}},
 };
 
 // Unlimited cones are infinite in memory, which a shader would turn into NaN (∞·0). This is as
@@ -269,7 +286,7 @@ Layers ReliefMaps::layersOf(const ReliefMapFormat& format, const textures::MapSe
         case ReliefMapForm::Sectors:
             layers = sectors(maps);
             break;
-        case ReliefMapForm::Slices:
+        case ReliefMapForm::Numbered:
             while (const textures::Plane* slice =
                        maps.find(fmt::format("{}{}", format.channels.front(), layers.size())))
                 layers.push_back({slice});
@@ -280,6 +297,7 @@ Layers ReliefMaps::layersOf(const ReliefMapFormat& format, const textures::MapSe
             break;
         case ReliefMapForm::Plane:
         case ReliefMapForm::Pyramid:
+        case ReliefMapForm::Ellipses:
             layers.push_back(channelsOf(format, maps));
             break;
     }
@@ -330,11 +348,33 @@ const gl::Texture& ReliefMaps::texture(std::string_view mapName) {
     const ReliefMapFormat& format = reliefMapFormat(mapName);
     if (const auto found = textures_.find(format.name); found != textures_.end())
         return found->second;
-    gl::Texture texture = format.form == ReliefMapForm::Pyramid ? uploadPyramid(format)
-                          : format.form == ReliefMapForm::DisplacementWeights
-                              ? uploadWeights(format)
-                              : uploadLayers(format);
-    return textures_.emplace(format.name, std::move(texture)).first->second;
+    return textures_.emplace(format.name, upload(format)).first->second;
+}
+
+gl::Texture ReliefMaps::upload(const ReliefMapFormat& format) const {
+    switch (format.form) {
+        case ReliefMapForm::Pyramid:
+            return uploadPyramid(format);
+        case ReliefMapForm::Ellipses:
+            return uploadEllipses(format);
+        case ReliefMapForm::DisplacementWeights:
+            return uploadWeights(format);
+        case ReliefMapForm::Displacements:
+        case ReliefMapForm::Plane:
+        case ReliefMapForm::Sectors:
+        case ReliefMapForm::Numbered:
+            break;
+    }
+    return uploadLayers(format);
+}
+
+gl::Texture ReliefMaps::uploadEllipses(const ReliefMapFormat& format) const {
+    const EllipseMoments moments = ellipseMoments(channelsOf(format, maps()));
+    gl::Texture texture(maps().width(), maps().height(), format.internalFormat, 2);
+    texture.upload(moments.centres, 3, 0);
+    texture.upload(moments.squares, 3, 1);
+    texture.setSampling(glWrapMode(maps().wrap), format.filter);
+    return texture;
 }
 
 gl::Texture ReliefMaps::uploadLayers(const ReliefMapFormat& format) const {

@@ -21,8 +21,9 @@ enum class ReliefMapForm {
     /// A sampler2DArray with a layer for each sector of ray directions, whose channels have its
     /// number (none when there is one sector): roof0, ratio0, roof1 …
     Sectors,
-    /// A sampler2DArray with a layer for each slice of depth, whose channel has its number.
-    Slices,
+    /// A sampler2DArray with a layer for each slice of depth, or azimuth, whose channel has its
+    /// number: volume0, volume1 …
+    Numbered,
     /// A sampler2D whose levels are the pyramid of least depths of the map's cells, made of the
     /// channel `depth` when it is uploaded. Sizes are those of the map rounded up to powers of two,
     /// so that a node of any level is a texel; texels beyond the map are 1.
@@ -32,6 +33,9 @@ enum class ReliefMapForm {
     Displacements,
     /// A sampler2D with the weights of that table, a row for each elevation and four terms a texel.
     DisplacementWeights,
+    /// A sampler2DArray with the centres and the squares of visibility ellipses
+    /// (ellipse_moments.h), of the first MIP level.
+    Ellipses,
 };
 
 /// A number that a search needs besides the texels of a map, kept in the map file.
@@ -116,6 +120,8 @@ class ReliefMaps {
     [[nodiscard]] gl::Texture uploadLayers(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadPyramid(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadWeights(const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture uploadEllipses(const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture upload(const ReliefMapFormat& format) const;
     [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
                                                std::string_view channel) const;
 

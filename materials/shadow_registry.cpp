@@ -13,6 +13,8 @@ namespace relievo::materials {
 namespace {
 
 constexpr std::string_view kDepthMaps[] = {"depth"};
+constexpr std::string_view kHorizonMaps[] = {"depth", "horizon"};
+constexpr std::string_view kEllipseMaps[] = {"depth", "ellipse"};
 
 constexpr TechniqueParameter kSoftParameters[] = {
     {"shadow-halvings", "relievoShadowHalvings",
@@ -38,6 +40,22 @@ constexpr ShadowMethod kMethods[] = {
      .searches = true,
      .isSoft = true,
      .errors = {{0.05, 3.46}, {0.05, 22.1}}},
+    {.name = "horizon",
+     .title = "shadows by a horizon map",
+     .origin = "Max 1988",
+     .file = "relievo/shadows/horizon.glsl",
+     .maps = kHorizonMaps,
+     .parameters = {},
+     .isSoft = true,
+     .errors = {{10.6, 24.0}, {15.1, 30.6}}},
+    {.name = "ellipse",
+     .title = "shadows by visibility ellipses",
+     .origin = "Heidrich, Daubert, Kautz, Seidel 2000",
+     .file = "relievo/shadows/ellipse.glsl",
+     .maps = kEllipseMaps,
+     .parameters = {},
+     .isSoft = true,
+     .errors = {{22.3, 33.4}, {22.6, 43.7}}},
 };
 
 constexpr ShadowMethod kGiven = {.name = "reference",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "materials/relief_maps.h"
+#include "materials/shadow_registry.h"
 #include "materials/slope_sources.h"
 #include "materials/surface_textures.h"
 #include "materials/technique_registry.h"
@@ -92,6 +93,21 @@ TEST(Documentation, HasTheTextureSetAndTheSourcesOfSlopes) {
     for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
         EXPECT_NE(document.find("| `" + std::string(entry.name) + "` |"), std::string::npos)
             << entry.name;
+}
+
+TEST(Documentation, HasTheUniformsOfTheShadowMethods) {
+    const std::string document = tests::readBytes(kSources + "/docs/materials.md");
+    const std::string methods = tests::readBytes(kSources + "/docs/techniques.md");
+    for (const materials::ShadowMethod& method : materials::shadowMethods()) {
+        for (const materials::TechniqueParameter& parameter : method.parameters)
+            EXPECT_NE(document.find(parameter.uniform), std::string::npos) << parameter.uniform;
+        for (const std::string_view map : method.maps)
+            EXPECT_NE(document.find(materials::reliefMapFormat(map).sampler), std::string::npos)
+                << map;
+        const std::string row =
+            "| `" + std::string(method.name) + "` | " + std::string(method.origin) + " |";
+        EXPECT_NE(methods.find(row), std::string::npos) << row;
+    }
 }
 
 TEST(Documentation, HasEveryTechnique) {

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <set>
+#include <string>
 
 #include "bench/technique_maps.h"
 #include "materials/shadow_registry.h"
 #include "preprocess/relief_baker.h"
 #include "relief_scene.h"
 #include "shaders/relievo/constants.h"
+#include "surfaces/surface_mesh.h"
 #include "textures/sample_reliefs.h"
 #include "viewer/light_errors.h"
 
@@ -28,11 +31,18 @@ struct Light {
     float size;  // degrees across
 };
 
-// The relief from 60° with a light.
+// A relief from 60°, under a light.
 class LitScene {
   public:
-    LitScene(const textures::DepthMap& map, const preprocess::ReliefPlan& plan)
-        : scene_(preprocess::bakeRelief(map, plan), 30.0f, 60.0f) {}
+    LitScene(const textures::DepthMap& map, const preprocess::ReliefPlan& plan,
+             float depthScale = 0.1f)
+        : LitScene(preprocess::bakeRelief(map, plan)) {
+        scene_.look(30.0f, 60.0f, depthScale);
+    }
+    explicit LitScene(const textures::MapSet& maps, glm::vec2 tiles = {1.0f, 1.0f})
+        : scene_(maps, 30.0f, 60.0f) {
+        scene_.renderer.setSurface(surfaces::makeQuad(tiles, 1.0f));
+    }
 
     void light(const Light& light, float azimuth = -50.0f) {
         scene_.view.toLight = directionTowards(azimuth, light.elevation);
@@ -52,9 +62,6 @@ class LitScene {
                        const materials::ShadowMethod* method) {
         return summarizeLight(measure(technique, method), exact_);
     }
-
-    [[nodiscard]] const ReferenceFrame& exact() const { return exact_; }
-    RayScene& scene() { return scene_; }
 
   private:
     RayScene scene_;
@@ -137,6 +144,72 @@ TEST_F(Shadows, NoneIsWrongOnAReliefWithShadows) {
     LitScene scene(sampleMap("blocks"), bench::planFor(exactTechnique()));
     scene.light({15.0f, 0.0f});
     EXPECT_GT(scene.errors(exactTechnique(), nullptr).wrongShare, 0.3);
+}
+
+// Light rays go down from where they enter the relief, so that all maps keep their promises. Next
+// to each technique that finds first hits the shadows are right; the others are wrong where their
+// hits are, and where their light rays step over something.
+TEST_F(Shadows, LightRaysAreSearchedByAnyTechnique) {
+    const std::set<std::string_view> sure = {"cone", "relaxed", "relaxed-secant", "pyramid",
+                                             "exact"};
+    const materials::ShadowMethod& search = materials::findShadowMethod("search");
+    for (const materials::Technique* technique : everyTechnique()) {
+        if (!technique->isSearch)
+            continue;
+        double worst = 0.0;
+        for (const char* sample : {"noise", "blocks", "hemispheres"}) {
+            LitScene scene(sampleMap(sample), bench::planFor(*technique));
+            scene.light({30.0f, 0.0f});
+            worst = std::max(worst, 100 * scene.errors(*technique, &search).wrongShare);
+        }
+        fmt::print("{:20} {:7.3f} % of the pixels wrongly lit or dark\n", technique->name, worst);
+        EXPECT_LE(worst, sure.contains(technique->name) ? 0.5 : 25.0) << technique->name;
+    }
+}
+
+// The map's horizons as if it were mirrored in u.
+textures::MapSet turned(textures::MapSet maps, int azimuths) {
+    for (textures::Channel& channel : maps.channels)
+        if (channel.name.starts_with("horizon")) {
+            const int k = std::stoi(channel.name.substr(std::string("horizon").size()));
+            channel.name = fmt::format("horizon{}", (azimuths + azimuths / 2 - k) % azimuths);
+        }
+    return maps;
+}
+
+// In every second tile of a mirrored map the light comes from the other side.
+TEST_F(Shadows, MirroredTilesAreLitFromTheRightSide) {
+    const textures::DepthMap map = sampleMap("cobbles", textures::WrapMode::Mirror);
+    for (const materials::ShadowMethod* method : everyMethod()) {
+        SCOPED_TRACE(std::string(method->name));
+        const preprocess::ReliefPlan plan = bench::planFor(exactTechnique(), method);
+        const textures::MapSet maps = preprocess::bakeRelief(map, plan);
+        LitScene scene(maps, {2.0f, 2.0f});
+        scene.light({30.0f, 0.0f});
+        const double wrong = scene.errors(exactTechnique(), method).wrongShare;
+        fmt::print("{:8} on mirrored tiles: {:.2f} % wrong\n", method->name, 100 * wrong);
+        EXPECT_LE(100 * wrong, 1.2 * method->errors.at15.pointPercent);
+        if (method->name != "horizon")
+            continue;
+        LitScene wrongScene(turned(maps, plan.azimuths), {2.0f, 2.0f});
+        wrongScene.light({30.0f, 0.0f});
+        EXPECT_GT(wrongScene.errors(exactTechnique(), method).wrongShare, 2 * wrong);
+    }
+}
+
+// The light that is not blocked anywhere, and the one from below.
+TEST_F(Shadows, OfLightFromStraightAboveAndFromBelow) {
+    for (const materials::ShadowMethod* method : everyMethod())
+        for (const float depthScale : {0.0f, 0.1f}) {
+            SCOPED_TRACE(testing::Message() << method->name << ", " << depthScale);
+            LitScene scene(sampleMap("noise"), bench::planFor(exactTechnique(), method),
+                           depthScale);
+            for (const float elevation : {90.0f, -20.0f}) {
+                scene.light({elevation, 4.0f});
+                for (const MeasuredPixel& pixel : scene.measure(exactTechnique(), method).pixels)
+                    ASSERT_EQ(pixel.lightShare, elevation > 0.0f ? 1.0f : 0.0f) << elevation;
+            }
+        }
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 uniform sampler2D relievoConeMap;  // ratio, or radius = ratio·D
 uniform int relievoConeSteps;
 uniform float relievoTolerance;  // in normalised depth: closer than this above the surface is a hit
-#define RELIEVO_SEARCH_TOLERANCE relievoTolerance
+#define RELIEVO_SEARCH_TOLERANCE(rise) relievoTolerance
 
 // The ratio of the cone at a point of the surface: a cell with the given corner depths.
 float reliefConeRatio(vec2 uv, ReliefCell cell, vec4 depths) {

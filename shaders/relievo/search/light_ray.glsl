@@ -9,9 +9,10 @@
 #include "relievo/light.glsl"
 #include "relievo/search/cells.glsl"
 
-// How far above the surface a technique takes a point for a hit. One that does so defines it.
+// How far above the surface a technique takes a point for a hit, in a cell whose corners differ by `rise`
+// in depth. One that does so defines it.
 #ifndef RELIEVO_SEARCH_TOLERANCE
-#define RELIEVO_SEARCH_TOLERANCE 0.0
+#define RELIEVO_SEARCH_TOLERANCE(rise) 0.0
 #endif
 
 // What floats do to depths of up to 1 in a few operations; and more than what reliefAtEnd takes for the
@@ -24,7 +25,7 @@ const float kReliefDepthRounding = 1.0 / 524288.0;
 float reliefClearance(ReliefRay ray, float rise) {
     vec2 farthest = max(abs(ray.origin.xy), abs(reliefPoint(ray, ray.end).xy));
     vec2 texels = vec2(reliefMapSize()) * farthest / 4194304.0;
-    return RELIEVO_SEARCH_TOLERANCE + kReliefDepthRounding +
+    return RELIEVO_SEARCH_TOLERANCE(rise) + kReliefDepthRounding +
            rise * (1.0 / 256.0 + texels.x + texels.y);
 }
 

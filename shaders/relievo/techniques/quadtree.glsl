@@ -4,6 +4,8 @@
 //
 // Cheaper than techniques/pyramid.glsl by the cells that a ray enters and does not hit: here they are hits, up
 // to a cell before the surface and farther beside a silhouette.
+// A cell is as high as its highest corner.
+#define RELIEVO_SEARCH_TOLERANCE(rise) rise
 #include "relievo/search/pyramid.glsl"
 #include "relievo/search/bracket.glsl"
 
