@@ -2,6 +2,7 @@
 #include "bench/render_command.h"
 #include "bench/search_command.h"
 #include "bench/sheet_command.h"
+#include "bench/sparkle_command.h"
 #include "commands/program.h"
 
 int main(int argc, char** argv) {
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
     relievo::bench::RenderCommand render(app);
     relievo::bench::SearchCommand search(app);
     relievo::bench::SheetCommand sheet(app);
+    relievo::bench::SparkleCommand sparkle(app);
     return relievo::commands::runProgram(app, argc, argv, [&] {
         if (bake.chosen())
             bake.run();
@@ -20,5 +22,7 @@ int main(int argc, char** argv) {
             search.run();
         if (sheet.chosen())
             sheet.run();
+        if (sparkle.chosen())
+            sparkle.run();
     });
 }

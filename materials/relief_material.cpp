@@ -80,6 +80,7 @@ ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
     other.depthScale = depthScale;
     other.window = window;
     other.levels = levels;
+    other.pixelRays = pixelRays;
     other.slopes_ = slopes_;
     other.setShadow(shadow_);
     for (ParameterValue& value : other.values_)
@@ -160,6 +161,8 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
         result.push_back({"RELIEVO_MIPS", "1"});
     if (shadow_)
         result.push_back({"RELIEVO_SHADOW", "1"});
+    if (pixelRays > 1)
+        result.push_back({"RELIEVO_PIXEL_RAYS", "1"});
     return result;
 }
 
@@ -196,6 +199,10 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
         glProgramUniform2fv(program, uniformLocation(program, "relievoLevels"), 1,
                             glm::value_ptr(range));
     }
+    // A program that takes one ray a pixel, to measure it or for want of more, has none.
+    const GLint rays = glGetUniformLocation(program, "relievoPixelRays");
+    if (rays >= 0)
+        glProgramUniform1i(program, rays, pixelRays);
     return unit;
 }
 

@@ -72,6 +72,9 @@ class ReliefMaterial {
     /// The first and the last MIP level that pixels may take, counted from 0; only a relief that
     /// has levels looks at them.
     glm::vec2 levels{0.0f, std::numeric_limits<float>::infinity()};
+    /// The most rays in a pixel, ≥ 1, for programs that take several where the view grazes the
+    /// surface (relievo/pixel_rays.glsl).
+    int pixelRays = 1;
 
   private:
     struct ParameterValue {

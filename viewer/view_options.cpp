@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 
 #include "commands/program.h"
@@ -15,6 +16,9 @@ namespace relievo::viewer {
 namespace {
 
 using commands::UsageError;
+
+constexpr int kMostLevels = 30;
+constexpr int kMostRays = 64;
 
 double parseNumber(std::string_view text, std::string_view option) {
     double value = 0.0;
@@ -175,6 +179,33 @@ void addShadingOptions(CLI::App& app, ViewOptions& options) {
         ->type_name("FILE|baked");
 }
 
+void addFilterOptions(CLI::App& app, ViewOptions& options) {
+    app.add_option_function<std::string>(
+           "--level",
+           [&options](const std::string& text) {
+               if (text == "auto") {
+                   options.level.reset();
+                   return;
+               }
+               const double level = parseNumber(text, "--level");
+               if (!(level >= 0 && level <= kMostLevels && std::nearbyint(level) == level))
+                   throw CLI::ValidationError(
+                       "--level", fmt::format("\"{}\" is no level, expected auto or a whole "
+                                              "number from 0 to {}",
+                                              text, kMostLevels));
+               options.level = static_cast<int>(level);
+           },
+           "MIP level of the maps for all pixels, 0 being the finest; auto: each pixel takes the "
+           "one of its size. Files without levels have level 0 only")
+        ->type_name("auto|N")
+        ->default_str("auto");
+    app.add_option("--rays", options.rays,
+                   "The most rays in a pixel, for pictures that do not sparkle where the view "
+                   "grazes the surface: a pixel takes as many as it is longer than wide there")
+        ->check(CLI::Range(1, kMostRays))
+        ->capture_default_str();
+}
+
 void addOutputOptions(CLI::App& app, ViewOptions& options) {
     app.add_option_function<std::string>(
            "--size",
@@ -299,6 +330,7 @@ void addViewOptions(CLI::App& app, ViewOptions& options) {
     addSceneOptions(app, options);
     addShadowOptions(app, options);
     addShadingOptions(app, options);
+    addFilterOptions(app, options);
     addOutputOptions(app, options);
     app.add_flag("--list", options.list, "List the techniques with their parameters and exit");
 }

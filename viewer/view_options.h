@@ -54,6 +54,8 @@ struct ViewOptions {
     /// Pictures by the names of materials::surfaceTextureFormats().
     std::map<std::string, std::filesystem::path> textures;
     bool bakedOcclusion = false;      ///< take the occlusion of the map file
+    std::optional<int> level;         ///< the MIP level for all pixels; none: each its own
+    int rays = 1;                     ///< the most rays in a pixel
     std::filesystem::path output;     ///< headless: the picture
     std::filesystem::path errorFile;  ///< headless: raw errors
     bool headless = false;

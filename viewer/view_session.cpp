@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <span>
+#include <vector>
 
 #include "textures/map_file.h"
 #include "viewer/texture_files.h"
@@ -21,11 +22,11 @@ bool has(std::span<const materials::TechniqueParameter> parameters, std::string_
 
 std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
                                           const ViewOptions& options) {
-    textures::MapSet maps = textures::readMapFile(file);
+    std::vector<textures::MapSet> levels = textures::readMapLevels(file);
     materials::TextureSet textures =
-        readTextureSet(options.textures, options.bakedOcclusion, maps, file.string());
+        readTextureSet(options.textures, options.bakedOcclusion, levels.front(), file.string());
     auto renderer =
-        std::make_unique<SceneRenderer>(std::move(maps), file.string(), std::move(textures));
+        std::make_unique<SceneRenderer>(std::move(levels), file.string(), std::move(textures));
     renderer->setSurface(makeObject(options, static_cast<float>(renderer->depthMap().aspect())));
     return renderer;
 }
@@ -59,6 +60,9 @@ materials::ReliefMaterial makeConfiguredMaterial(const SceneRenderer& renderer,
         material.setShadow(&materials::findShadowMethod(options.shadow));
         shadowParameters = material.shadow()->parameters;
     }
+    if (options.level)
+        material.levels = glm::vec2(static_cast<float>(*options.level));
+    material.pixelRays = options.rays;
     for (const ParameterSetting& setting : options.parameters) {
         if (!setting.technique.empty() && setting.technique != technique.name)
             continue;

@@ -22,6 +22,15 @@ ReliefFootprint reliefFootprint(vec2 uv, float aspect) {
     return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0);
 }
 
+// The unit direction on the screen, in pixels, in which the footprint is longest; any where it is round.
+vec2 reliefLongestDirection(vec2 uv, float aspect) {
+    vec2 across = dFdx(uv) * vec2(1.0, aspect);
+    vec2 down = dFdy(uv) * vec2(1.0, aspect);
+    // The major axis of JᵀJ turns by half the angle of (difference, 2·off-diagonal).
+    float angle = 0.5 * atan(2.0 * dot(across, down), dot(across, across) - dot(down, down));
+    return vec2(cos(angle), sin(angle));
+}
+
 // How many pixels a depth of 1 is long where it is seen from the side.
 float reliefPixelsPerDepth(ReliefFootprint footprint, float depthScale) {
     return min(depthScale / max(footprint.shortest, 1e-30), kReliefBoundless);
@@ -30,10 +39,13 @@ float reliefPixelsPerDepth(ReliefFootprint footprint, float depthScale) {
 #ifdef RELIEVO_MIPS
 uniform vec2 relievoLevels;  // the first and the last level that may be used
 
-// The level whose texels are as large as the footprint; it may lie between two.
+// The level whose texels are between half a pixel and a pixel large across the view, from the middle of
+// that range: a search takes the nearest level, shading may mix two. Along the view, where a grazing
+// footprint is longer, the level must not follow it. What stands up there shows its front to the eye,
+// and a level that has lost it is brighter, flatter and, between levels, no steadier.
 float reliefLevelFor(ReliefFootprint footprint) {
     float texels = footprint.shortest * float(textureSize(relievoDepthMap, 0).x);
-    return clamp(log2(max(texels, 1e-30)), relievoLevels.x, relievoLevels.y);
+    return clamp(log2(max(texels, 1e-30)) - 0.5, relievoLevels.x, relievoLevels.y);
 }
 #else
 float reliefLevelFor(ReliefFootprint footprint) { return 0.0; }

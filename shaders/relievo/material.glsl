@@ -23,10 +23,10 @@ vec3 reliefWorldNormal(ReliefSurface surface, vec2 gradient, float aspect) {
                      worldDepth * (gradient.x * dualU + aspect * gradient.y * dualV));
 }
 
-// Searches the relief on `surface` along `view` (unit length, away from the eye). To be called where
-// neighbouring pixels come by too, when the maps have MIP levels: see relievo/footprint.glsl.
-ReliefFragment traceRelief(ReliefSurface surface, vec3 view) {
-    ReliefTrace trace = reliefTrace(surface, view);
+// Searches the relief on `surface` along `view` (unit length, away from the eye) for a pixel of that
+// footprint.
+ReliefFragment traceRelief(ReliefSurface surface, vec3 view, ReliefFootprint footprint) {
+    ReliefTrace trace = reliefTrace(surface, view, footprint);
     ReliefFragment result;
     result.ray = trace.ray;
     result.hit = trace.hit;
@@ -36,4 +36,10 @@ ReliefFragment traceRelief(ReliefSurface surface, vec3 view) {
     result.normal = reliefWorldNormal(surface, gradient, reliefAspect());
     result.tileNormal = normalize(vec3(relievoDepthScale * gradient, 1.0));
     return result;
+}
+
+// The same for the fragment at hand. To be called where neighbouring pixels come by too: see
+// relievo/footprint.glsl.
+ReliefFragment traceRelief(ReliefSurface surface, vec3 view) {
+    return traceRelief(surface, view, reliefFootprint(surface.uv, reliefAspect()));
 }

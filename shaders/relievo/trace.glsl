@@ -22,12 +22,11 @@ bool reliefInWindow(vec2 uv) {
     return all(greaterThanEqual(uv, relievoWindow.xy)) && all(lessThanEqual(uv, relievoWindow.zw));
 }
 
-// Searches the relief on `surface` along `view` (unit length, away from the eye). To be called where
-// neighbouring pixels come by too, when the maps have MIP levels: see relievo/footprint.glsl.
-ReliefTrace reliefTrace(ReliefSurface surface, vec3 view) {
+// Searches the relief on `surface` along `view` (unit length, away from the eye) for a pixel of that
+// footprint.
+ReliefTrace reliefTrace(ReliefSurface surface, vec3 view, ReliefFootprint footprint) {
     ReliefTrace result;
     float aspect = reliefAspect();
-    ReliefFootprint footprint = reliefFootprint(surface.uv, aspect);
     result.level = reliefLevelFor(footprint);
     reliefSelectLevel(int(result.level + 0.5));
     result.ray = makeReliefRay(surface, view, relievoDepthScale, relievoWindow, aspect);
@@ -36,6 +35,12 @@ ReliefTrace reliefTrace(ReliefSurface surface, vec3 view) {
     if (!reliefInWindow(result.hit.position.xy)) result.hit.outcome = RELIEVO_OUTCOME_MISS;
     result.position = surface.position + (result.hit.t * result.ray.worldLength) * view;
     return result;
+}
+
+// The same for the fragment at hand. To be called where neighbouring pixels come by too: see
+// relievo/footprint.glsl.
+ReliefTrace reliefTrace(ReliefSurface surface, vec3 view) {
+    return reliefTrace(surface, view, reliefFootprint(surface.uv, reliefAspect()));
 }
 
 // Window depth of a point in clip space.
@@ -48,14 +53,23 @@ float reliefToWindowDepth(vec4 clip) {
 #endif
 }
 
+// The window depth of what is as far away as can be, and the nearer one of two.
+#ifdef RELIEVO_DEPTH_REVERSED
+float reliefFarthestDepth() { return min(gl_DepthRange.near, gl_DepthRange.far); }
+float reliefNearerDepth(float a, float b) { return max(a, b); }
+#else
+float reliefFarthestDepth() { return max(gl_DepthRange.near, gl_DepthRange.far); }
+float reliefNearerDepth(float a, float b) { return min(a, b); }
+#endif
+
 // For gl_FragDepth, under the layout of programs/depth_output.glsl: the window depth of a hit, no nearer
 // than the fragment, in spite of rounding. A miss is as far away as can be, so that it hides nothing.
 float reliefWindowDepth(ReliefHit hit, vec3 position, mat4 viewProjection) {
     float depth = reliefToWindowDepth(viewProjection * vec4(position, 1.0));
     bool isMiss = hit.outcome == RELIEVO_OUTCOME_MISS;
 #ifdef RELIEVO_DEPTH_REVERSED
-    return isMiss ? min(gl_DepthRange.near, gl_DepthRange.far) : min(depth, gl_FragCoord.z);
+    return isMiss ? reliefFarthestDepth() : min(depth, gl_FragCoord.z);
 #else
-    return isMiss ? max(gl_DepthRange.near, gl_DepthRange.far) : max(depth, gl_FragCoord.z);
+    return isMiss ? reliefFarthestDepth() : max(depth, gl_FragCoord.z);
 #endif
 }

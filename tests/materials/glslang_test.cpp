@@ -22,7 +22,7 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_SLOPES_FROM_NORMAL", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}},
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}, {"RELIEVO_MIPS", "1"}},
-    {{"RELIEVO_MIPS", "1"}},
+    {{"RELIEVO_MIPS", "1"}, {"RELIEVO_PIXEL_RAYS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_ALBEDO_MAP", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
 

@@ -1,5 +1,6 @@
 // A shaded relief that writes the depth of its hits.
 #include "relievo/material.glsl"
+#include "relievo/pixel_rays.glsl"
 #include "relievo/shading.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/depth_output.glsl"
@@ -13,29 +14,48 @@ uniform float lightRadius;  // radians
 
 layout(location = 0) out vec4 color;
 
-void main() {
-    vec2 uvX = dFdx(surfaceUv);
-    vec2 uvY = dFdy(surfaceUv);
-    vec3 view = surfaceView();
-    ReliefFragment relief = traceRelief(surfaceInput(), view);
-    // Outside the window there is no relief, and a search that ran out has found none: what it would
-    // shade is not a hit.
-    if (relief.hit.outcome == RELIEVO_OUTCOME_MISS) discard;
-#ifndef RELIEVO_MARK_EXHAUSTED
-    if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) discard;
+// Outside the window there is no relief, and a search that ran out has found none: what it would shade
+// is not a hit.
+bool isShown(ReliefHit hit) {
+#ifdef RELIEVO_MARK_EXHAUSTED
+    return hit.outcome != RELIEVO_OUTCOME_MISS;
+#else
+    return hit.outcome == RELIEVO_OUTCOME_HIT;
 #endif
+}
 
+// Linear RGB of a hit, for a ray of a pixel that goes through `surface` along `view`.
+vec3 shade(ReliefFragment relief, ReliefPixel pixel, ReliefSurface surface, vec3 view) {
+#ifdef RELIEVO_MARK_EXHAUSTED
+    if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) return vec3(1.0, 0.0, 1.0);
+#endif
     ReliefAppearance appearance =
-        reliefAppearance(relief.hit.position.xy, uvX, uvY, relievoDepthScale);
+        reliefAppearance(relief.hit.position.xy, pixel.uvX, pixel.uvY, relievoDepthScale);
     vec3 light = vec3(1.0);
 #ifdef RELIEVO_SHADOW
     light *= reliefVisibility(
-        makeReliefLight(surfaceInput(), relief.hit.position, toLight, lightRadius));
+        makeReliefLight(surface, relief.hit.position, toLight, lightRadius));
 #endif
-    vec3 shaded = shadeRelief(appearance, relief.normal, toLight, -view, light);
-#ifdef RELIEVO_MARK_EXHAUSTED
-    if (relief.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) shaded = vec3(1.0, 0.0, 1.0);
-#endif
-    color = vec4(toSrgb(clamp(shaded, 0.0, 1.0)), 1.0);
-    gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
+    return clamp(shadeRelief(appearance, relief.normal, toLight, -view, light), 0.0, 1.0);
+}
+
+void main() {
+    ReliefPixel pixel = reliefPixel(surfaceInput(), reliefAspect());
+    vec3 sum = vec3(0.0);
+    int hits = 0;
+    float depth = reliefFarthestDepth();
+    for (int ray = 0; ray < pixel.rays; ++ray) {
+        ReliefSurface surface = reliefPixelSurface(pixel, ray);
+        vec3 view = surfaceView(surface.position);
+        ReliefFragment relief = traceRelief(surface, view, pixel.footprint);
+        if (!isShown(relief.hit)) continue;
+        ++hits;
+        sum += shade(relief, pixel, surface, view);
+        depth = reliefNearerDepth(
+            depth, reliefWindowDepth(relief.hit, relief.position, viewProjection));
+    }
+    // A pixel is drawn when half of it is hit, and lies where the nearest of its hits does.
+    if (hits == 0 || 2 * hits < pixel.rays) discard;
+    color = vec4(toSrgb(sum / float(hits)), 1.0);
+    gl_FragDepth = depth;
 }

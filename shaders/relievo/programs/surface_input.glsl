@@ -14,5 +14,6 @@ ReliefSurface surfaceInput() {
                          surfaceUv);
 }
 
-// Unit direction from the eye to the surface.
-vec3 surfaceView() { return normalize(surfacePosition * eye.w - eye.xyz); }
+// Unit direction from the eye to a point of the surface, and to the one of the fragment.
+vec3 surfaceView(vec3 position) { return normalize(position * eye.w - eye.xyz); }
+vec3 surfaceView() { return surfaceView(surfacePosition); }
