@@ -6,6 +6,6 @@ uniform vec2 relievoDepthRange;  // the least and the greatest depth
 
 ReliefHit reliefMiddle(ReliefRay ray) {
     float depth = 0.5 * (relievoDepthRange.x + relievoDepthRange.y);
-    float t = ray.direction.z > 0.0 ? depth / ray.direction.z : RELIEVO_MAXIMUM_REACH;
+    float t = ray.direction.z > 0.0 ? (depth - ray.origin.z) / ray.direction.z : kReliefBoundless;
     return reliefHitWithin(ray, t, 0);
 }

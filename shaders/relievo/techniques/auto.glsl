@@ -17,11 +17,10 @@ uniform float relievoPixelError;  // pixels by which a point may be out of place
 
 // Searches from the least depth of the relief to `bottom`: what comes as deep as that is a hit there.
 ReliefHit reliefSearchBetween(ReliefRay ray, float bottom) {
-    // A ray that does not come down has no such part.
+    // A ray that does not come down has no such part, and one that begins below has begun it.
     if (ray.direction.z <= 0.0) return reliefSearchRoofs(ray);
-    float lead = max(relievoDepthRange.x - ray.origin.z, 0.0) / ray.direction.z;
-    float below = max(max(bottom, relievoDepthRange.x) - ray.origin.z, 0.0);
-    float end = min(below / ray.direction.z, ray.end);
+    float lead = max((relievoDepthRange.x - ray.origin.z) / ray.direction.z, 0.0);
+    float end = min(max((bottom - ray.origin.z) / ray.direction.z, lead), ray.end);
     if (lead > ray.end) return reliefResult(ray, ray.end, RELIEVO_OUTCOME_MISS, 0);
     ReliefRay part = ray;
     part.origin = reliefPoint(ray, lead);
