@@ -18,10 +18,9 @@ viewer::Picture sheetOf(const SparkleReport& report) {
     for (const SparkleMeasurement& m : report.measurements) {
         if (rows.empty() || rows.back().front().subtitle != m.sample)
             rows.push_back({{report.truths[rows.size()], "supersampled", m.sample}});
-        rows.back().push_back({m.picture,
-                               fmt::format("{}{}{}", m.technique, m.hasLevels ? ", levels" : "",
-                                           m.rays > 1 ? fmt::format(", {} rays", m.rays) : ""),
-                               fmt::format("sparkle {:.2f} %", 100.0 * m.errors.sparkle)});
+        rows.back().push_back(
+            {m.picture, m.technique + (m.hasLevels ? ", levels" : ""),
+             fmt::format("{} rays, sparkle {:.1f} %", m.rays, 100.0 * m.errors.sparkle)});
     }
     return viewer::makeContactSheet(rows, {});
 }

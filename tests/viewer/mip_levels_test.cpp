@@ -43,7 +43,7 @@ struct LevelScene {
     View view;
 
     LevelScene(std::vector<textures::MapSet> levels, float azimuth, float elevation)
-        : renderer(std::move(levels), "test", Picture()) {
+        : renderer(std::move(levels), "test", {}) {
         constexpr float kInfinity = std::numeric_limits<float>::infinity();
         const auto aspect = static_cast<float>(renderer.depthMap().aspect());
         renderer.setSurface(surfaces::makeQuad({1, 1}, aspect));
