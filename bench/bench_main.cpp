@@ -1,5 +1,6 @@
 #include "bench/bake_command.h"
 #include "bench/render_command.h"
+#include "bench/scene_command.h"
 #include "bench/search_command.h"
 #include "bench/sheet_command.h"
 #include "bench/sparkle_command.h"
@@ -10,6 +11,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     relievo::bench::BakeCommand bake(app);
     relievo::bench::RenderCommand render(app);
+    relievo::bench::SceneCommand scene(app);
     relievo::bench::SearchCommand search(app);
     relievo::bench::SheetCommand sheet(app);
     relievo::bench::SparkleCommand sparkle(app);
@@ -18,6 +20,8 @@ int main(int argc, char** argv) {
             bake.run();
         if (render.chosen())
             render.run();
+        if (scene.chosen())
+            scene.run();
         if (search.chosen())
             search.run();
         if (sheet.chosen())

@@ -19,7 +19,8 @@ void deleteFramebuffer(GLuint id) noexcept;
 class Framebuffer {
   public:
     Framebuffer() = default;
-    /// One colour attachment a format (GL_RGBA8, GL_RGBA32F, …). Throws GlError when incomplete.
+    /// One colour attachment a format (GL_RGBA8, GL_RGBA32F, …); there may be none. Throws GlError
+    /// when incomplete.
     Framebuffer(int width, int height, std::span<const GLenum> colorFormats);
 
     /// Makes it the target of drawing and sets the viewport to its size.
@@ -38,6 +39,7 @@ class Framebuffer {
     [[nodiscard]] int height() const noexcept { return height_; }
     /// Throws std::out_of_range when there is no such attachment, as the functions above do.
     [[nodiscard]] const Texture& color(int attachment) const { return colors_.at(attachment); }
+    [[nodiscard]] const Texture& depth() const noexcept { return depth_; }
 
   private:
     int width_ = 0;

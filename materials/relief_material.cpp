@@ -167,9 +167,22 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
 }
 
 GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
+    return bindFor(Use::Shading, program, firstUnit);
+}
+
+GLuint ReliefMaterial::bindSearch(GLuint program, GLuint firstUnit) const {
+    return bindFor(Use::Search, program, firstUnit);
+}
+
+GLuint ReliefMaterial::bindFor(Use use, GLuint program, GLuint firstUnit) const {
     GLuint unit = firstUnit;
+    // OpenGL ignores what is set at the location −1.
+    const auto locate = [&](std::string_view uniform) {
+        return use == Use::Shading ? uniformLocation(program, uniform)
+                                   : glGetUniformLocation(program, std::string(uniform).c_str());
+    };
     const auto setNumber = [&](std::string_view uniform, bool isInteger, double value) {
-        const GLint location = uniformLocation(program, uniform);
+        const GLint location = locate(uniform);
         if (isInteger)
             glProgramUniform1i(program, location, static_cast<GLint>(value));
         else
@@ -177,6 +190,8 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     };
     const auto bindMap = [&](std::string_view name) {
         const ReliefMapFormat& format = reliefMapFormat(name);
+        if (use == Use::Search && locate(format.sampler) < 0)
+            return;  // nothing is uploaded for it
         setNumber(format.sampler, true, unit);
         maps_->texture(name).bind(unit++);
         if (!format.number.attribute.empty())
@@ -191,13 +206,11 @@ GLuint ReliefMaterial::bind(GLuint program, GLuint firstUnit) const {
     if (depthRange >= 0)
         glProgramUniform2fv(program, depthRange, 1, glm::value_ptr(maps_->depthRange()));
     setNumber("relievoDepthScale", false, static_cast<double>(depthScale));
-    glProgramUniform4fv(program, uniformLocation(program, "relievoWindow"), 1,
-                        glm::value_ptr(window));
+    glProgramUniform4fv(program, locate("relievoWindow"), 1, glm::value_ptr(window));
     if (maps_->levelCount() > 1) {
         const glm::vec2 range =
             glm::min(levels, glm::vec2(static_cast<float>(maps_->levelCount() - 1)));
-        glProgramUniform2fv(program, uniformLocation(program, "relievoLevels"), 1,
-                            glm::value_ptr(range));
+        glProgramUniform2fv(program, locate("relievoLevels"), 1, glm::value_ptr(range));
     }
     // A program that takes one ray a pixel, to measure it or for want of more, has none.
     const GLint rays = glGetUniformLocation(program, "relievoPixelRays");

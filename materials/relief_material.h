@@ -57,6 +57,9 @@ class ReliefMaterial {
     /// need not be current). Returns the first unit that stays free. Throws gl::GlError naming a
     /// uniform that the program lacks.
     GLuint bind(GLuint program, GLuint firstUnit = 0) const;
+    /// The same for a program that only searches (relievo/trace.glsl), to write depths for one. It
+    /// may lack any of the uniforms: where nothing is looked up, little is needed.
+    GLuint bindSearch(GLuint program, GLuint firstUnit = 0) const;
 
     [[nodiscard]] const Technique& technique() const noexcept { return *technique_; }
     /// The shadow method, or null.
@@ -82,6 +85,8 @@ class ReliefMaterial {
         double value;
     };
 
+    enum class Use { Shading, Search };
+    GLuint bindFor(Use use, GLuint program, GLuint firstUnit) const;
     /// Whether the technique's search reads the map of that name.
     [[nodiscard]] bool reads(std::string_view mapName) const;
     /// The maps of the technique, the shading and the shadow method, each once.

@@ -2,7 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -56,44 +58,53 @@ std::optional<Entry> enterTriangle(const Corners& corners, const WorldRay& ray) 
     return entry;
 }
 
-/// A ray in tile space, and the world length of one unit of its t.
-struct EnteringRay {
-    reference::TileRay ray;
-    double worldLength = 0.0;
+/// The vectors whose products with a direction along the surface are its du and dv
+/// (specification 9, E2).
+struct DualBasis {
+    glm::dvec3 u;
+    glm::dvec3 v;
 };
 
-// The directions that the tangents are the gradients of (specification 9, E2), and the depth
-// −direction·normal in units of the relief's depth in the world.
-EnteringRay intoRelief(const Entry& entry, const glm::dvec3& direction, double depthScale) {
+DualBasis dualBasis(const Entry& entry) {
     const double tt = glm::dot(entry.tangent, entry.tangent);
     const double tb = glm::dot(entry.tangent, entry.bitangent);
     const double bb = glm::dot(entry.bitangent, entry.bitangent);
     const double determinant = tt * bb - tb * tb;
-    const double alongT = glm::dot(direction, entry.tangent);
-    const double alongB = glm::dot(direction, entry.bitangent);
-    const double worldDepth = depthScale * glm::length(entry.tangent);
-    EnteringRay result;
-    result.ray.origin = glm::dvec3(entry.uv, 0.0);
-    // Times the depth, so that a relief without depth has vertical rays.
-    result.ray.direction = glm::dvec3(worldDepth * (bb * alongT - tb * alongB) / determinant,
-                                      worldDepth * (tt * alongB - tb * alongT) / determinant,
-                                      -glm::dot(direction, entry.normal));
-    result.worldLength = worldDepth;
-    return result;
+    return {(bb * entry.tangent - tb * entry.bitangent) / determinant,
+            (tt * entry.bitangent - tb * entry.tangent) / determinant};
 }
 
-std::optional<double> distanceInRelief(const ExactObject& object, const Entry& entry,
-                                       const glm::dvec3& direction) {
+/// A hit as far as one triangle knows of it.
+struct Hit {
+    double distance = 0.0;
+    glm::dvec3 normal;
+};
+
+// The tile ray is scaled by the depth of the relief in the world, so that one without depth has
+// vertical rays and t counts world lengths over that depth.
+std::optional<Hit> hitBehind(const Entry& entry, const ExactObject& object,
+                             const glm::dvec3& direction) {
     if (object.relief == nullptr)
-        return entry.distance;
-    const EnteringRay entering = intoRelief(entry, direction, object.depthScale);
+        return Hit{entry.distance, entry.normal};
+    const DualBasis dual = dualBasis(entry);
+    const double tile = glm::length(entry.tangent);
+    const double depth = object.depthScale * tile;
+    const reference::TileRay ray{
+        {entry.uv, 0.0},
+        {depth * glm::dot(direction, dual.u), depth * glm::dot(direction, dual.v),
+         -glm::dot(direction, entry.normal)}};
     const reference::TileWindow window{{object.window.x, object.window.y},
                                        {object.window.z, object.window.w}};
-    const auto hit =
-        reference::traceBilinear(*object.relief, entering.ray, window, RELIEVO_MAXIMUM_REACH);
+    const auto hit = reference::traceBilinear(*object.relief, ray, window, RELIEVO_MAXIMUM_REACH);
     if (!hit)
         return std::nullopt;
-    return entry.distance + hit->t * entering.worldLength;
+    // In the tile's metric: slopes a·∂D/∂u and a·∂D/∂v over ρ.
+    const glm::dvec3 normal = reference::bilinearNormal(*object.relief, hit->position.x,
+                                                        hit->position.y, object.depthScale);
+    return Hit{
+        entry.distance + hit->t * depth,
+        glm::normalize(normal.z * entry.normal +
+                       tile * (normal.x * dual.u + object.relief->aspect() * normal.y * dual.v))};
 }
 
 // Device depths of the near and the far plane.
@@ -126,9 +137,10 @@ std::optional<ExactHit> firstHit(std::span<const ExactObject> objects, const Wor
             // The relief lies behind its surface.
             if (!entry || (first && entry->distance >= first->distance))
                 continue;
-            const auto distance = distanceInRelief(objects[number], *entry, ray.direction);
-            if (distance && (!first || *distance < first->distance))
-                first = ExactHit{number, *distance, ray.origin + *distance * ray.direction};
+            const auto hit = hitBehind(*entry, objects[number], ray.direction);
+            if (hit && (!first || hit->distance < first->distance))
+                first = ExactHit{number, hit->distance, ray.origin + hit->distance * ray.direction,
+                                 hit->normal, entry->normal};
         }
     }
     return first;
@@ -141,6 +153,15 @@ WorldRay pixelRay(const Camera& camera, int x, int y, int width, int height) {
 WorldRay rayThrough(const Camera& camera, const glm::dvec3& position) {
     const glm::dvec4 clip = glm::dmat4(camera.viewProjection) * glm::dvec4(position, 1.0);
     return deviceRay(camera, {clip.x / clip.w, clip.y / clip.w});
+}
+
+bool isVisible(std::span<const ExactObject> objects, const Camera& camera,
+               const glm::dvec3& position) {
+    const WorldRay ray = rayThrough(camera, position);
+    const double distance = glm::dot(position - ray.origin, ray.direction);
+    const auto first = firstHit(objects, ray);
+    // The point itself is found again but for rounding.
+    return !first || first->distance >= distance - 1e-9 * std::max(1.0, std::abs(distance));
 }
 
 double windowDepth(const Camera& camera, const glm::dvec3& position) {

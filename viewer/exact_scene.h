@@ -32,6 +32,8 @@ struct ExactHit {
     std::size_t object = 0;  ///< its number
     double distance = 0.0;   ///< from the ray's origin
     glm::dvec3 position{0.0};
+    glm::dvec3 normal{0, 0, 1};         ///< of the relief there, unit length
+    glm::dvec3 surfaceNormal{0, 0, 1};  ///< of the surface that carries it, unit length
 };
 
 /// The first hit of `ray` with any of the objects, in double precision. Triangles seen from behind
@@ -43,6 +45,10 @@ WorldRay pixelRay(const Camera& camera, int x, int y, int width, int height);
 
 /// The ray that comes through `position` from the near plane.
 WorldRay rayThrough(const Camera& camera, const glm::dvec3& position);
+
+/// Whether nothing lies between the near plane and a point, which may be on an object itself.
+bool isVisible(std::span<const ExactObject> objects, const Camera& camera,
+               const glm::dvec3& position);
 
 /// The window depth of a point, as glDepthRange and glClipControl of the camera's convention have
 /// it.

@@ -1,9 +1,15 @@
 #include "viewer/frame_renderer.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
-#include <string_view>
-#include <vector>
 
+#include "gl/buffer.h"
+#include "gl/occlusion_query.h"
 #include "materials/detail_choice.h"
 #include "shaders/relievo/constants.h"
 
@@ -13,6 +19,9 @@ namespace {
 constexpr std::string_view kShaded = "relievo/programs/shaded.frag";
 constexpr std::string_view kPlain = "relievo/programs/plain.frag";
 constexpr std::string_view kMeasured = "relievo/programs/measured.frag";
+constexpr std::string_view kVisible = "relievo/programs/visible.frag";
+constexpr std::string_view kDepth = "relievo/programs/depth.frag";
+constexpr std::string_view kCoverage = "relievo/programs/coverage.frag";
 
 void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
     const bool falls = fallsWithDistance(depth);
@@ -25,27 +34,54 @@ void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
     glEnable(GL_CULL_FACE);
 }
 
-// What every program of a relief is made with: also what it must know of the depth buffer
+// What the programs of an object are made with: also what they must know of the depth buffer
 // (relievo/trace.glsl).
-std::vector<shaders::Define> reliefDefines(const SceneObject& object, const Camera& camera) {
-    std::vector<shaders::Define> defines = object.material->defines();
-    if (camera.depth.zeroToOne)
+std::vector<shaders::Define> definesFor(const SceneObject& object, const FrameView& view) {
+    std::vector<shaders::Define> defines;
+    if (object.material)
+        defines = object.material->defines();
+    else
+        defines.push_back({"RELIEVO_PLAIN", "1"});
+    if (view.camera.depth.zeroToOne)
         defines.push_back({"RELIEVO_CLIP_ZERO_TO_ONE", "1"});
-    if (fallsWithDistance(camera.depth))
+    if (fallsWithDistance(view.camera.depth))
         defines.push_back({"RELIEVO_DEPTH_REVERSED", "1"});
+    if (view.shadowMap)
+        defines.push_back({"RELIEVO_SHADOW_MAP", "1"});
     return defines;
 }
 
-// What every program of a relief needs. Returns the first texture unit that stays free.
+// The files of the shader library for a program that shades, and for one that searches only.
+std::vector<std::string_view> filesOf(const SceneObject& object) {
+    return object.material ? object.material->files() : std::vector<std::string_view>();
+}
+std::vector<std::string_view> searchFilesOf(const SceneObject& object) {
+    if (!object.material)
+        return {};
+    return {object.material->technique().file};
+}
+
+// Binds a texture to the first free unit and counts that up.
+void bindTexture(gl::Program& program, std::string_view sampler, const gl::Texture& texture,
+                 GLuint& unit) {
+    program.set(sampler, static_cast<int>(unit));
+    texture.bind(unit++);
+}
+
+// Each of these takes the first free texture unit and returns the first that stays free.
 GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
     GLuint unit = object.material->bind(program.id());
-    if (object.givenHits) {
-        program.set("relievoGivenHits", static_cast<int>(unit));
-        object.givenHits->bind(unit++);
-    }
-    if (object.givenVisibility) {
-        program.set("relievoGivenVisibility", static_cast<int>(unit));
-        object.givenVisibility->bind(unit++);
+    if (object.givenHits)
+        bindTexture(program, "relievoGivenHits", *object.givenHits, unit);
+    if (object.givenVisibility)
+        bindTexture(program, "relievoGivenVisibility", *object.givenVisibility, unit);
+    return unit;
+}
+
+GLuint bindShadowMap(gl::Program& program, const FrameView& view, GLuint unit) {
+    if (view.shadowMap) {
+        bindTexture(program, "shadowMap", view.shadowMap->depths.depth(), unit);
+        program.set("shadowViewProjection", view.shadowMap->light.viewProjection);
     }
     return unit;
 }
@@ -67,11 +103,45 @@ void setLight(gl::Program& program, const FrameView& view) {
         program.set("lightRadius", view.lightRadius);
 }
 
-void drawObject(gl::Program& program, const SceneObject& object, const Camera& camera) {
+void drawSurface(gl::Program& program, const SurfaceBuffers& surface, const Camera& camera) {
     program.set("viewProjection", camera.viewProjection);
-    program.set("eye", camera.eye);
+    if (program.hasUniform("eye"))
+        program.set("eye", camera.eye);
     program.use();
-    object.surface->draw();
+    surface.draw();
+}
+
+// How near the box around a surface comes to the eye; to be compared with others of one camera.
+float nearness(const surfaces::SurfaceExtent& extent, const glm::vec4& eye) {
+    if (eye.w > 0.0f) {
+        const glm::vec3 position(eye);
+        const glm::vec3 nearest = glm::clamp(position, extent.minimum, extent.maximum);
+        return -glm::distance(position, nearest);
+    }
+    const glm::vec3 direction(eye);
+    return glm::dot(glm::max(direction * extent.minimum, direction * extent.maximum),
+                    glm::vec3(1.0f));
+}
+
+// The numbers of the objects in the order in which they are drawn.
+std::vector<int> drawingOrder(std::span<const SceneObject> objects, const FrameView& view) {
+    std::vector<int> order(objects.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](int number) {
+        const SceneObject& object = objects[static_cast<std::size_t>(number)];
+        return -nearness(object.surface->extent(), view.camera.eye);
+    };
+    if (view.skipHidden)
+        std::ranges::stable_sort(order, {}, key);
+    return order;
+}
+
+// Both halves of a counter on the graphics processor.
+std::uint64_t readCounter(const gl::Buffer& counter) {
+    std::array<std::uint32_t, 2> halves{};
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(counter.id(), 0, sizeof(halves), halves.data());
+    return (std::uint64_t{halves[1]} << 32) + halves[0];
 }
 
 }  // namespace
@@ -80,52 +150,128 @@ materials::SurfaceTextures& FrameRenderer::texturesOf(const SceneObject& object)
     return object.textures ? *object.textures : noTextures_;
 }
 
-gl::Program& FrameRenderer::shadedProgram(const SceneObject& object, const FrameView& view) {
-    if (!object.material)
-        return programs_.get(kPlain, {}, {});
-    std::vector<shaders::Define> defines = reliefDefines(object, view.camera);
-    for (shaders::Define& define : texturesOf(object).defines(object.shading))
-        defines.push_back(std::move(define));
-    if (view.markExhausted)
-        defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
-    return programs_.get(kShaded, object.material->files(), defines);
+gl::Program& FrameRenderer::program(std::string_view fragmentFile,
+                                    const std::vector<std::string_view>& materialFiles,
+                                    const SceneObject& object, const FrameView& view,
+                                    std::vector<shaders::Define> more) {
+    std::vector<shaders::Define> defines = definesFor(object, view);
+    std::ranges::move(more, std::back_inserter(defines));
+    return programs_.get(fragmentFile, materialFiles, defines);
+}
+
+void FrameRenderer::drawObjects(std::span<const SceneObject> objects, const FrameView& view,
+                                const gl::Framebuffer& target, const ProgramFor& programFor) {
+    for (const int number : drawingOrder(objects, view)) {
+        SceneObject object = objects[static_cast<std::size_t>(number)];
+        const auto material = chosenMaterial(object, view.camera, target.width(), target.height());
+        object.material = material ? &*material : nullptr;
+        const bool mayBeHidden = view.skipHidden && object.material;
+        std::optional<gl::OcclusionQuery> query;
+        if (mayBeHidden) {
+            query.emplace();
+            query->begin();
+            drawCoverage(*object.surface, view.camera);
+            gl::OcclusionQuery::end();
+        }
+        gl::Program& program = programFor(object, number);
+        if (mayBeHidden)
+            query->beginConditional();
+        drawSurface(program, *object.surface, view.camera);
+        if (mayBeHidden)
+            gl::OcclusionQuery::endConditional();
+    }
+}
+
+// Draws nothing, but asks the depth test. Only a program that writes no depth itself gets its
+// answer before it runs.
+void FrameRenderer::drawCoverage(const SurfaceBuffers& surface, const Camera& camera) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    drawSurface(programs_.get(kCoverage, {}, {}), surface, camera);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
 }
 
 void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& view,
                          gl::Framebuffer& target) {
     prepare(target, view.camera.depth);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
-    for (SceneObject object : objects) {
-        const auto material = chosenMaterial(object, view.camera, target.width(), target.height());
-        object.material = material ? &*material : nullptr;
-        gl::Program& program = shadedProgram(object, view);
-        setLight(program, view);
+    drawObjects(objects, view, target, [&](const SceneObject& object, int) -> gl::Program& {
+        std::vector<shaders::Define> defines;
+        if (object.material)
+            defines = texturesOf(object).defines(object.shading);
+        if (view.markExhausted)
+            defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
+        gl::Program& shaded = program(object.material ? kShaded : kPlain, filesOf(object), object,
+                                      view, std::move(defines));
+        setLight(shaded, view);
+        GLuint unit = 0;
         if (object.material) {
-            const GLuint unit = bindMaterial(program, object);
-            texturesOf(object).bind(program, object.shading, unit);
+            unit = bindMaterial(shaded, object);
+            unit = texturesOf(object).bind(shaded, object.shading, unit);
         } else {
-            program.set("plainColor", object.plainColor);
+            shaded.set("plainColor", object.plainColor);
         }
-        drawObject(program, object, view.camera);
-    }
+        bindShadowMap(shaded, view, unit);
+        return shaded;
+    });
 }
 
 MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, int width,
                                      int height) {
     gl::Framebuffer target = makeMeasuredTarget(width, height);
-    const auto material = chosenMaterial(object, view.camera, width, height);
-    object.material = &material.value();
-    gl::Program& program =
-        programs_.get(kMeasured, material->files(), reliefDefines(object, view.camera));
     prepare(target, view.camera.depth);
     // Misses are recorded as well: they are as far away as what the depth buffer was cleared to.
     glDepthFunc(fallsWithDistance(view.camera.depth) ? GL_GEQUAL : GL_LEQUAL);
     for (int attachment = 0; attachment < RELIEVO_OUTPUT_COUNT; ++attachment)
         target.clearColor(attachment, 0, 0, 0, 0);
-    setLight(program, view);
-    bindMaterial(program, object);
-    drawObject(program, object, view.camera);
+    FrameView alone = view;
+    alone.shadowMap = nullptr;
+    alone.skipHidden = false;
+    drawObjects({&object, 1}, alone, target, [&](const SceneObject& drawn, int) -> gl::Program& {
+        gl::Program& measured = program(kMeasured, filesOf(drawn), drawn, alone);
+        setLight(measured, alone);
+        bindMaterial(measured, drawn);
+        return measured;
+    });
     return readMeasuredFrame(target);
+}
+
+VisibleFrame FrameRenderer::show(std::span<const SceneObject> objects, const FrameView& view,
+                                 int width, int height) {
+    gl::Framebuffer target = makeVisibleTarget(width, height);
+    prepare(target, view.camera.depth);
+    target.clearColor(RELIEVO_VISIBLE_POINT, 0, 0, 0, 0);
+    target.clearColor(RELIEVO_VISIBLE_LIGHT, 0, 0, 0, 0);
+    constexpr std::array<std::uint32_t, 2> kZero{};
+    const gl::Buffer counter(std::as_bytes(std::span(kZero)));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEVO_BUFFER_LOOKUPS, counter.id());
+    drawObjects(objects, view, target, [&](const SceneObject& object, int number) -> gl::Program& {
+        gl::Program& visible = program(kVisible, searchFilesOf(object), object, view);
+        visible.set("objectNumber", number);
+        const GLuint unit = object.material ? object.material->bindSearch(visible.id()) : 0;
+        bindShadowMap(visible, view, unit);
+        return visible;
+    });
+    VisibleFrame frame = readVisibleFrame(target);
+    frame.fetches = readCounter(counter);
+    return frame;
+}
+
+ShadowMap FrameRenderer::castShadows(std::span<const SceneObject> objects, const Camera& light,
+                                     int size) {
+    ShadowMap shadow{light, gl::Framebuffer(size, size, {})};
+    FrameView view;
+    view.camera = light;
+    prepare(shadow.depths, light.depth);
+    drawObjects(objects, view, shadow.depths, [&](const SceneObject& object, int) -> gl::Program& {
+        gl::Program& depth =
+            program(object.material ? kDepth : kCoverage, searchFilesOf(object), object, view);
+        if (object.material)
+            object.material->bindSearch(depth.id());
+        return depth;
+    });
+    return shadow;
 }
 
 }  // namespace relievo::viewer

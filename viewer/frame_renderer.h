@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
@@ -11,6 +14,7 @@
 #include "viewer/camera.h"
 #include "viewer/measured_frame.h"
 #include "viewer/surface_buffers.h"
+#include "viewer/visible_frame.h"
 
 namespace relievo::viewer {
 
@@ -30,6 +34,12 @@ struct SceneObject {
     const gl::Texture* givenVisibility = nullptr;
 };
 
+/// What a light that is far away sees of a scene.
+struct ShadowMap {
+    Camera light;            ///< a parallel projection with the usual depth convention
+    gl::Framebuffer depths;  ///< without colours
+};
+
 /// What a frame shows, apart from the objects in it.
 struct FrameView {
     Camera camera;
@@ -37,6 +47,10 @@ struct FrameView {
     float lightRadius = 0.0f;    ///< what the light spans to each side, in radians
     int lightRays = 0;           ///< of the exact picture's shadows; 0: it has none
     bool markExhausted = false;  ///< paint searches that ran out of steps magenta, not as holes
+    const ShadowMap* shadowMap = nullptr;  ///< of the light; null: nothing throws a shadow
+    /// Draw the nearest objects first, and do not search those whose surface is hidden by what has
+    /// been drawn: a relief lies behind its surface. The picture is the same.
+    bool skipHidden = false;
 };
 
 /// Draws frames of objects, whose depths decide between them pixel by pixel. It draws to
@@ -48,9 +62,25 @@ class FrameRenderer {
     void draw(std::span<const SceneObject> objects, const FrameView& view, gl::Framebuffer& target);
     /// Records the searches of every pixel of one object, which has a relief.
     MeasuredFrame measure(SceneObject object, const FrameView& view, int width, int height);
+    /// Records what every pixel shows, and counts the lookups of the whole frame.
+    VisibleFrame show(std::span<const SceneObject> objects, const FrameView& view, int width,
+                      int height);
+    /// The depths that `light` (a parallel projection) sees, size² texels.
+    ShadowMap castShadows(std::span<const SceneObject> objects, const Camera& light, int size);
 
   private:
-    gl::Program& shadedProgram(const SceneObject& object, const FrameView& view);
+    /// Finds the program for an object, whose number is the second argument, and sets what is not
+    /// the camera's.
+    using ProgramFor = std::function<gl::Program&(const SceneObject&, int)>;
+
+    void drawObjects(std::span<const SceneObject> objects, const FrameView& view,
+                     const gl::Framebuffer& target, const ProgramFor& programFor);
+    void drawCoverage(const SurfaceBuffers& surface, const Camera& camera);
+    /// The program of a fragment shader for an object of the frame.
+    gl::Program& program(std::string_view fragmentFile,
+                         const std::vector<std::string_view>& materialFiles,
+                         const SceneObject& object, const FrameView& view,
+                         std::vector<shaders::Define> more = {});
     /// The object's texture set, or the empty one.
     materials::SurfaceTextures& texturesOf(const SceneObject& object);
 

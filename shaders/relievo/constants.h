@@ -15,12 +15,19 @@
 #define RELIEVO_OUTPUT_ORIGIN 2  // (u, v, z) where the ray enters the relief, t where it leaves it
 #define RELIEVO_OUTPUT_DIRECTION 3  // (du, dv, dz) of the ray, world length of one unit of t
 #define RELIEVO_OUTPUT_NORMAL 4     // unit shading normal in the tile's metric, z up
-// Of the light at the hit (light.glsl): the direction towards it and the share of it that gets there;
-// the edges of its disc, and the lookups that the shadow took.
+// Of the light at the hit (light.glsl): the direction towards it and the share of it that gets
+// there; the edges of its disc, and the lookups that the shadow took.
 #define RELIEVO_OUTPUT_LIGHT 5  // (du, dv, dz), share
 #define RELIEVO_OUTPUT_LIFT 6   // (du, dv, dz), fetches
 #define RELIEVO_OUTPUT_SIDE 7   // (du, dv, dz)
 #define RELIEVO_OUTPUT_COUNT 8
+
+// Colour attachments of programs/visible.frag, both RGBA32F.
+#define RELIEVO_VISIBLE_POINT 0  // world position, number of the object + 1
+#define RELIEVO_VISIBLE_LIGHT 1  // 1 in the light, 0 in shadow
+
+// Shader storage buffers.
+#define RELIEVO_BUFFER_LOOKUPS 0  // two unsigned integers: lookups of a frame, the lower half first
 
 // How a search ended.
 #define RELIEVO_OUTCOME_HIT 0        // at the first point found in the solid

@@ -24,7 +24,7 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}, {"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_PIXEL_RAYS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
-    {{"RELIEVO_ALBEDO_MAP", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
+    {{"RELIEVO_SHADOW_MAP", "1"}, {"RELIEVO_ALBEDO_MAP", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
 
 // What a texture set may ask the shading's text to define.
 const std::vector<std::vector<shaders::Define>> kShadings = {
@@ -63,14 +63,18 @@ class Glslang {
 
 TEST(GlslangTest, AcceptsEveryProgram) {
     Glslang compiler;
-    compiler.add("plain", expandFragment("relievo/programs/plain.frag", {}, {}).text);
+    const std::vector<shaders::Define> plain = {{"RELIEVO_PLAIN", "1"},
+                                                {"RELIEVO_SHADOW_MAP", "1"}};
+    for (const std::string fragment : {"plain", "coverage", "visible"})
+        compiler.add(fragment,
+                     expandFragment("relievo/programs/" + fragment + ".frag", {}, plain).text);
     for (std::size_t k = 0; k < kShadings.size(); ++k)
         compiler.add("shading-" + std::to_string(k),
                      expandFragment("relievo/programs/shaded.frag", {findTechnique("normal").file},
                                     kShadings[k])
                          .text);
     for (const Technique& technique : techniques())
-        for (const std::string fragment : {"shaded", "measured"})
+        for (const std::string fragment : {"shaded", "measured", "visible", "depth"})
             for (std::size_t k = 0; k < kVariants.size(); ++k)
                 compiler.add(std::string(technique.name) + "-" + fragment + "-" + std::to_string(k),
                              expandFragment("relievo/programs/" + fragment + ".frag",

@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 
+#include "depth_agreement.h"
 #include "relief_scene.h"
 #include "viewer/exact_scene.h"
 
@@ -113,56 +113,11 @@ class DepthWrite : public testing::TestWithParam<Projection> {
     gl::Framebuffer target_;
 };
 
-// How far off the window depth of a point may be that is computed in floats: clip.z and clip.w are
-// sums of four products, each off by no more than 4ε of the products' absolute values (Higham, ch.
-// 3), and the point itself by that of its interpolation, the ray and the hit's t: some 16ε of the
-// lengths that it is made of, which here are under 4.
-double depthBound(const Camera& camera, const glm::dvec3& position) {
-    constexpr double kEpsilon = std::numeric_limits<float>::epsilon() / 2;
-    const glm::dmat4 matrix(camera.viewProjection);
-    const glm::dvec4 point(position, 1.0);
-    glm::dvec4 magnitude(0.0);
-    for (int column = 0; column < 4; ++column)
-        magnitude += glm::abs(matrix[column] * point[column]);
-    const glm::dvec4 clip = matrix * point;
-    const double device = clip.z / clip.w;
-    const double product = 4 * kEpsilon * (magnitude.z + std::abs(device) * magnitude.w);
-    double moved = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-        moved += 64 * kEpsilon * std::abs(matrix[axis].z - device * matrix[axis].w);
-    const double share = (camera.depth.zeroToOne ? 1.0 : 0.5) * (product + moved) / clip.w;
-    return std::abs(camera.depth.range.y - camera.depth.range.x) * share + 4 * kEpsilon;
-}
-
-struct Agreement {
-    std::size_t compared = 0;
-    std::size_t differing = 0;  // one of them has a hit and the other has not
-    double worst = 0.0;         // greatest difference as a multiple of the bound
-};
-
-Agreement compare(const std::vector<float>& depths,
-                  const std::vector<std::optional<ExactHit>>& hits, const Camera& camera) {
-    const float clear = fallsWithDistance(camera.depth) ? 0.0f : 1.0f;
-    Agreement agreement;
-    for (std::size_t k = 0; k < depths.size(); ++k) {
-        const bool isDrawn = depths[k] != clear;
-        agreement.differing += isDrawn != hits[k].has_value();
-        if (!isDrawn || !hits[k])
-            continue;
-        ++agreement.compared;
-        const double exact = windowDepth(camera, hits[k]->position);
-        const double bound = depthBound(camera, hits[k]->position);
-        agreement.worst =
-            std::max(agreement.worst, std::abs(static_cast<double>(depths[k]) - exact) / bound);
-    }
-    return agreement;
-}
-
 TEST_P(DepthWrite, IsThatOfTheExactHit) {
     const Camera camera = makeCamera(GetParam());
     const auto hits = exactHits(camera);
     const std::vector<float> depths = drawnDepths(camera);
-    const Agreement agreement = compare(depths, hits, camera);
+    const DepthAgreement agreement = compareDepths(depths, hits, camera);
     EXPECT_GT(agreement.compared, 800u);
     EXPECT_LE(agreement.worst, 1.0);
     // Rays through the very border of the surface or of its window.
@@ -176,11 +131,12 @@ TEST_P(DepthWrite, TheCheckCatchesAProgramForAnotherDepthBuffer) {
     for (const bool otherClip : {false, true}) {
         DepthConvention wrong = camera.depth;
         (otherClip ? wrong.zeroToOne : wrong.reversed) ^= true;
-        const Agreement agreement = compare(depthsOfProgram(camera, wrong), hits, camera);
+        const DepthAgreement agreement =
+            compareDepths(depthsOfProgram(camera, wrong), hits, camera);
         EXPECT_TRUE(agreement.worst > 1000.0 || agreement.differing > agreement.compared / 2)
             << otherClip << ": " << agreement.worst;
     }
-    EXPECT_LE(compare(depthsOfProgram(camera, camera.depth), hits, camera).worst, 1.0);
+    EXPECT_LE(compareDepths(depthsOfProgram(camera, camera.depth), hits, camera).worst, 1.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, DepthWrite, testing::ValuesIn(everyProjection()), nameOf);

@@ -5,6 +5,9 @@
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/depth_output.glsl"
 #include "relievo/programs/surface_input.glsl"
+#ifdef RELIEVO_SHADOW_MAP
+#include "relievo/programs/shadow_map.glsl"
+#endif
 
 uniform mat4 viewProjection;
 uniform vec3 toLight;
@@ -35,6 +38,9 @@ vec3 shade(ReliefFragment relief, ReliefPixel pixel, ReliefSurface surface, vec3
 #ifdef RELIEVO_SHADOW
     light *= reliefVisibility(
         makeReliefLight(surface, relief.hit.position, toLight, lightRadius));
+#endif
+#ifdef RELIEVO_SHADOW_MAP
+    light *= shadowMapVisibility(relief.position);
 #endif
     return clamp(shadeRelief(appearance, relief.normal, toLight, -view, light), 0.0, 1.0);
 }

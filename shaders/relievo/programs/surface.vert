@@ -9,6 +9,9 @@ layout(location = RELIEVO_ATTRIBUTE_UV) in vec2 uv;
 
 uniform mat4 viewProjection;
 
+// The same for every program, so that a surface is where it was when it was asked for alone.
+invariant gl_Position;
+
 out vec3 surfacePosition;
 out vec3 surfaceNormal;
 out vec3 surfaceTangent;

@@ -1,0 +1,18 @@
+// Visibility from a light that is far away, by a map of the least depths that it sees.
+
+uniform sampler2D shadowMap;  // window depths of a parallel projection from −1 to 1 in depth
+uniform mat4 shadowViewProjection;
+
+// 1 for a point that the light reaches, 0 for one in shadow; what the map does not cover is lit.
+//
+// The texels have the depths of their centres. A plane is nowhere between four of them deeper than at the
+// deepest of them, and so the point is in shadow only if it lies behind all four: no bias is needed for
+// slopes. What is left is rounding: window depths of two programs, each a sum of four products of at most 1.
+float shadowMapVisibility(vec3 position) {
+    const float rounding = 16.0 / 16777216.0;
+    vec3 place = 0.5 * (shadowViewProjection * vec4(position, 1.0)).xyz + 0.5;
+    if (any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)))) return 1.0;
+    vec4 depths = textureGather(shadowMap, place.xy);
+    float deepest = max(max(depths.x, depths.y), max(depths.z, depths.w));
+    return place.z <= deepest + rounding ? 1.0 : 0.0;
+}
