@@ -66,7 +66,8 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 TEST(Documentation, HasTheOptionsOfThePrograms) {
     expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
-    expectSameOptions("relievo-bench", {"", "bake", "render", "scene", "search", "sheet", "sparkle"});
+    expectSameOptions("relievo-bench",
+                      {"", "bake", "render", "scene", "search", "sheet", "sparkle"});
 }
 
 TEST(Documentation, TheCheckSeesAnOptionThatIsMissing) {
