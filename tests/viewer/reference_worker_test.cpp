@@ -11,6 +11,7 @@ namespace relievo::viewer {
 namespace {
 
 constexpr glm::vec4 kEverywhere{-1e6f, -1e6f, 1e6f, 1e6f};
+constexpr int kNoLight = 0;  // rays to the light
 
 // Rays from random places of the reference surface, downwards.
 MeasuredFrame randomRays(int width, int height, unsigned seed) {
@@ -44,7 +45,7 @@ TEST(ReferenceWorker, GivesWhatTraceReferenceGives) {
     const int sizes[][2] = {{1, 1}, {1, 97}, {97, 1}, {211, 101}};
     for (const auto& [width, height] : sizes) {
         const MeasuredFrame rays = randomRays(width, height, 3);
-        worker.start(rays, map, kEverywhere, 0.2);
+        worker.start(rays, map, kEverywhere, 0.2, kNoLight);
         EXPECT_TRUE(worker.isBusy());
         done.acquire();
         const auto frame = worker.take();
@@ -65,15 +66,15 @@ TEST(ReferenceWorker, TheLastStartWinsAndACancelledFrameNeverComes) {
     ReferenceWorker worker([&] { done.release(); });
     const MeasuredFrame last = randomRays(40, 30, 9);
     for (unsigned seed = 0; seed < 5; ++seed)
-        worker.start(randomRays(512, 512, seed), map, kEverywhere, 0.2);
-    worker.start(last, map, kEverywhere, 0.2);
+        worker.start(randomRays(512, 512, seed), map, kEverywhere, 0.2, kNoLight);
+    worker.start(last, map, kEverywhere, 0.2, kNoLight);
     for (int frames = 0; frames < 6; ++frames)
         done.acquire();
     const auto frame = worker.take();
     ASSERT_TRUE(frame);
     EXPECT_TRUE(sameHits(*frame, traceReference(last, map, kEverywhere, 0.2)));
 
-    worker.start(last, map, kEverywhere, 0.2);
+    worker.start(last, map, kEverywhere, 0.2, kNoLight);
     worker.cancel();
     EXPECT_FALSE(worker.isBusy());
     EXPECT_FALSE(worker.take());
@@ -82,7 +83,7 @@ TEST(ReferenceWorker, TheLastStartWinsAndACancelledFrameNeverComes) {
 TEST(ReferenceWorker, EndsInTheMiddleOfWork) {
     const textures::DepthMap map = textures::generateSampleRelief("noise", 64, 64);
     ReferenceWorker worker([] {});
-    worker.start(randomRays(1024, 1024, 1), map, kEverywhere, 0.2);
+    worker.start(randomRays(1024, 1024, 1), map, kEverywhere, 0.2, kNoLight);
 }
 
 }  // namespace
