@@ -31,12 +31,18 @@ viewer::View viewFrom(double elevation, const RenderBenchmarkOptions& options) {
     return view;
 }
 
-/// The values of `options.steps` for a technique with a step budget, else nothing, once.
+/// The values of `options.steps` that the step budget of a technique can take; nothing, once, for a
+/// technique without one.
 std::vector<std::optional<int>> budgetsOf(const materials::Technique& technique,
                                           const RenderBenchmarkOptions& options) {
-    if (materials::budgetParameter(technique) == nullptr)
+    const materials::TechniqueParameter* const budget = materials::budgetParameter(technique);
+    if (budget == nullptr)
         return {std::nullopt};
-    return {options.steps.begin(), options.steps.end()};
+    std::vector<std::optional<int>> budgets;
+    for (const int steps : options.steps)
+        if (steps >= budget->minimum && steps <= budget->maximum)
+            budgets.emplace_back(steps);
+    return budgets;
 }
 
 std::size_t measurementsPerView(const RenderBenchmarkOptions& options) {

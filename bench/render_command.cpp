@@ -24,9 +24,9 @@ RenderCommand::RenderCommand(CLI::App& app)
     add("--elevations", options_.elevations, "Degrees of the rays above the surface")
         ->delimiter(',')
         ->check(CLI::Range(0.001, 90.0));
-    add("--steps", options_.steps, "Step budgets, for techniques that have one")
+    add("--steps", options_.steps, "Step budgets, as far as a technique's goes")
         ->delimiter(',')
-        ->check(CLI::Range(1, 4096));
+        ->check(CLI::Range(1, 65536));
     add("--size", options_.size, "Texels of the reliefs on a side")->check(CLI::Range(1, 8192));
     add("--frame", options_.frame, "Pixels of the frames on a side")->check(CLI::Range(1, 8192));
     add("--depth-scale", options_.depthScale, "Depth of the reliefs in tile widths")

@@ -27,7 +27,7 @@ constexpr TechniqueParameter linearSteps(int defaultValue) {
             "relievoLinearSteps",
             "equal steps along the ray",
             1,
-            4096,
+            65536,
             static_cast<double>(defaultValue),
             true,
             true};

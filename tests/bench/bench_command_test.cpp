@@ -205,6 +205,15 @@ TEST(BenchRender, MoreStepsHaveFewerErrors) {
                 AllOf(HasSubstr("## Wrong first hits"), HasSubstr("| relief 64 |")));
 }
 
+// A budget that a technique cannot have is not measured, and no reason to stop.
+TEST(BenchRender, BudgetsGoAsFarAsTheTechniqueDoes) {
+    const ProcessResult result =
+        bench({"render", "--samples", "wave", "--techniques", "binary,relief", "--elevations", "45",
+               "--steps", "8,64", "--size", "16", "--frame", "19", "--repeat", "1"});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_EQ(parseTable(result.output).size(), 1u + 1 + 2);
+}
+
 TEST(BenchRender, BackEndsAgreeOnAllButTime) {
     const auto withoutTimes = [](const char* backend) {
         const ProcessResult result = bench(kSmallRender + Words{"--backend", backend});
