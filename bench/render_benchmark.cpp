@@ -215,7 +215,7 @@ Plot renderPlot(const std::vector<RenderMeasurement>& measurements, PlotAgainst 
     };
     addRow("wrong first hits in % (none: as half a ray)",
            [](const MeanErrors& sum) { return sum.wrongPercent; });
-    addRow("distance from the exact hit in texels",
+    addRow("distance where both hit, in texels",
            [](const MeanErrors& sum) { return std::max(sum.texels, kLeastTexels * sum.samples); });
     plot.columns = static_cast<int>(elevations.size());
     return plot;
