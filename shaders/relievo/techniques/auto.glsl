@@ -15,16 +15,20 @@
 
 uniform float relievoPixelError;  // pixels by which a point may be out of place
 
-// Searches from the least depth of the relief to `bottom`: what comes as deep as that is a hit there.
+// Searches from the least depth of the relief to `bottom`: what comes as deep as that is a hit there. A ray
+// that does not come down has no such part, and one that begins below has begun it.
 ReliefHit reliefSearchBetween(ReliefRay ray, float bottom) {
-    // A ray that does not come down has no such part, and one that begins below has begun it.
-    if (ray.direction.z <= 0.0) return reliefSearchRoofs(ray);
-    float lead = max((relievoDepthRange.x - ray.origin.z) / ray.direction.z, 0.0);
-    float end = min(max((bottom - ray.origin.z) / ray.direction.z, lead), ray.end);
+    float lead = 0.0;
+    float end = ray.end;
+    if (ray.direction.z > 0.0) {
+        lead = max((relievoDepthRange.x - ray.origin.z) / ray.direction.z, 0.0);
+        end = min(max((bottom - ray.origin.z) / ray.direction.z, lead), ray.end);
+    }
     if (lead > ray.end) return reliefResult(ray, ray.end, RELIEVO_OUTCOME_MISS, 0);
     ReliefRay part = ray;
     part.origin = reliefPoint(ray, lead);
     part.end = end - lead;
+    // The only call: where pixels are drawn together each one takes the time of a search.
     ReliefHit hit = reliefSearchRoofs(part);
     if (hit.outcome == RELIEVO_OUTCOME_MISS && end < ray.end) hit.outcome = RELIEVO_OUTCOME_HIT;
     return reliefResult(ray, lead + hit.t, hit.outcome, hit.steps);
