@@ -32,8 +32,9 @@ TEST(Sparkle, GoesAwayWithLevelsAndRaysAlongTheFootprint) {
         EXPECT_LT(variance(way[1]), 0.7 * variance(way[0])) << "levels";
         EXPECT_LT(variance(way[3]), 0.7 * variance(way[2])) << "levels, several rays";
         EXPECT_LT(variance(way[3]), 0.15 * variance(way[0])) << "both";
-        // The picture as a whole is as bright as the truth, and no pixel keeps what is wrong.
-        EXPECT_LT(std::abs(way[3].errors.bias), 0.01);
+        // Levels lose the dark sides of what they average: that much too bright, measured, and no
+        // more.
+        EXPECT_LT(std::abs(way[3].errors.bias), 0.006);
         EXPECT_LT(way[3].errors.lasting, way[0].errors.lasting);
     }
 }

@@ -121,7 +121,9 @@ void main() {
         if (!reliefInWindow(relief.hit.position.xy)) relief.hit.outcome = RELIEVO_OUTCOME_MISS;
         relief.tileNormal = vec3(0.0, 0.0, 1.0);
     } else {
-        relief = traceRelief(surface, view);
+        // Neighbouring pixels are other rays: they say nothing of the size of a pixel. In the least of
+        // them there is nothing too small to be searched.
+        relief = traceRelief(surface, view, ReliefFootprint(0.0, 0.0));
     }
     hitOutput = vec4(relief.hit.position, relief.hit.t);
     workOutput = vec4(float(relief.hit.outcome), float(relief.hit.steps),
