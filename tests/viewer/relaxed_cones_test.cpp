@@ -1,10 +1,15 @@
-// Relaxed cones that are guaranteed on the bilinear surface against those of the thesis (over the
-// maxima of height alone) and of Policarpo and Oliveira. What a search is worth that ran out of
-// steps is what it shows: its last point counts.
+// Relaxed cones that are guaranteed on the bilinear surface, searched cell by cell, against those
+// of the thesis (over the maxima of height alone) and of Policarpo and Oliveira, searched as
+// published and cell by cell as well. What a search is worth that ran out of steps is what it
+// shows: its last point counts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "materials/technique_registry.h"
 #include "preprocess/relief_baker.h"
@@ -33,9 +38,9 @@ struct Errors {
     }
 };
 
-Errors errorsOf(RayScene& scene, int steps) {
+Errors errorsOf(RayScene& scene, const char* technique, int steps) {
     materials::ReliefMaterial material =
-        scene.renderer.makeMaterial(materials::findTechnique("relaxed"));
+        scene.renderer.makeMaterial(materials::findTechnique(technique));
     material.setParameter("cone-steps", steps);
     material.setParameter("binary-steps", 8);
     const MeasuredFrame frame =
@@ -69,50 +74,84 @@ textures::MapSet bakeCones(const textures::SampleRelief& sample, const char* met
 }
 
 constexpr const char* kMethods[] = {"exact", "maxima", "policarpo"};
+constexpr const char* kTechniques[] = {"relaxed", "relaxed-step"};
 constexpr float kElevations[] = {45.0f, 15.0f, 5.0f};
-constexpr int kSteps[] = {15, 512};
+constexpr int kFew = 15;
+constexpr int kConverged = 512;
 
-// Means over all samples, of a method, elevation and number of steps.
-using Table = Errors[std::size(kMethods)][std::size(kElevations)][std::size(kSteps)];
+// Means over all samples, of (method, technique, elevation, steps).
+using Key = std::tuple<std::string, std::string, float, int>;
+using Table = std::map<Key, Errors>;
 
-void measure(Table& table) {
+Table measure() {
     const double share = 1.0 / static_cast<double>(textures::sampleReliefs().size());
+    Table table;
     for (const textures::SampleRelief& sample : textures::sampleReliefs())
-        for (std::size_t m = 0; m < std::size(kMethods); ++m) {
-            RayScene scene(bakeCones(sample, kMethods[m]), 30.0f, 90.0f);
-            for (std::size_t e = 0; e < std::size(kElevations); ++e) {
-                scene.look(30.0f, kElevations[e]);
-                for (std::size_t s = 0; s < std::size(kSteps); ++s)
-                    table[m][e][s].add(errorsOf(scene, kSteps[s]), share);
+        for (const char* method : kMethods) {
+            RayScene scene(bakeCones(sample, method), 30.0f, 90.0f);
+            for (const float elevation : kElevations) {
+                scene.look(30.0f, elevation);
+                for (const char* technique : kTechniques)
+                    for (const int steps : {kFew, kConverged})
+                        table[{method, technique, elevation, steps}].add(
+                            errorsOf(scene, technique, steps), share);
             }
         }
+    return table;
 }
 
 void print(const Table& table) {
-    for (std::size_t s = 0; s < std::size(kSteps); ++s)
-        for (std::size_t e = 0; e < std::size(kElevations); ++e)
-            for (std::size_t m = 0; m < std::size(kMethods); ++m) {
-                const Errors& errors = table[m][e][s];
-                fmt::print(
-                    "{:3} steps {:3.0f}° {:9}: mean {:8.4f} texels  missed {:7.3f} %  "
-                    "ran out {:7.3f} %  behind {:7.3f} %\n",
-                    kSteps[s], kElevations[e], kMethods[m], errors.mean, 100 * errors.missed,
-                    100 * errors.ranOut, 100 * errors.behind);
-            }
+    for (const auto& [key, errors] : table) {
+        const auto& [method, technique, elevation, steps] = key;
+        fmt::print(
+            "{:9} {:12} {:3.0f}° {:3} steps: mean {:8.4f} texels  missed {:7.3f} %  "
+            "ran out {:7.3f} %  behind {:7.3f} %\n",
+            method, technique, elevation, steps, errors.mean, 100 * errors.missed,
+            100 * errors.ranOut, 100 * errors.behind);
+    }
 }
 
-TEST(RelaxedCones, NeverLeadBehindAndBeatTheBaselinesWithEnoughSteps) {
-    const std::unique_ptr<gl::Context> context = makeTestContext();
-    Table table;
-    measure(table);
-    print(table);
-    for (std::size_t e = 0; e < std::size(kElevations); ++e)
-        for (std::size_t m = 1; m < std::size(kMethods); ++m) {
-            SCOPED_TRACE(fmt::format("{} from {}°", kMethods[m], kElevations[e]));
-            for (std::size_t s = 0; s < std::size(kSteps); ++s)
-                EXPECT_LT(table[0][e][s].behind, table[m][e][s].behind);
-            EXPECT_LT(table[0][e][1].mean, table[m][e][1].mean);
-            EXPECT_LT(table[0][e][1].missed, table[m][e][1].missed);
+class RelaxedCones : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        const std::unique_ptr<gl::Context> context = makeTestContext();
+        table_ = measure();
+        print(table_);
+    }
+    static const Errors& ours(float elevation, int steps) {
+        return table_.at({"exact", "relaxed", elevation, steps});
+    }
+    static Table table_;
+};
+
+Table RelaxedCones::table_;
+
+// With as many steps as it takes the guaranteed cones are nearer, whichever way the others are
+// searched.
+TEST_F(RelaxedCones, RunToConvergenceBeatTheBaselines) {
+    for (const auto& [key, errors] : table_) {
+        const auto& [method, technique, elevation, steps] = key;
+        if (method == "exact")
+            continue;
+        SCOPED_TRACE(fmt::format("{} of {} from {}°", technique, method, elevation));
+        EXPECT_LT(ours(elevation, steps).behind, errors.behind);
+        if (steps == kConverged) {
+            EXPECT_LT(ours(elevation, steps).mean, errors.mean);
+            EXPECT_LT(ours(elevation, steps).missed, errors.missed);
+        }
+    }
+}
+
+// With 15 cones and 8 halvings they beat what was published, but for that of Policarpo from 5°.
+TEST_F(RelaxedCones, WithFewStepsBeatTheBaselinesAsPublished) {
+    for (const char* method : {"maxima", "policarpo"})
+        for (const float elevation : kElevations) {
+            if (method == std::string("policarpo") && elevation < 15.0f)
+                continue;
+            SCOPED_TRACE(fmt::format("{} from {}°", method, elevation));
+            const Errors& theirs = table_.at({method, "relaxed-step", elevation, kFew});
+            EXPECT_LT(ours(elevation, kFew).mean, theirs.mean);
+            EXPECT_LT(ours(elevation, kFew).missed, theirs.missed);
         }
 }
 

@@ -102,46 +102,55 @@ int reliefModulo(int cell, int period) {
     return place < 0 ? place + period : (place >= period ? place - period : place);
 }
 
-// The surface along a ray in the walk's cell: z − D is x + y·s + z·s², s counted from where the ray
-// enters the cell; and how much D differs between the corners of the cell, at most.
-struct ReliefProfile {
-    vec3 below;
-    float rise;
-};
-
-ReliefProfile reliefProfile(ReliefRay ray, ReliefWalk walk) {
+// The depths at the corners of the walk's cell, in the order of textureGather: (0,1), (1,1), (1,0), (0,0).
+vec4 reliefWalkCorners(ReliefWalk walk) {
     ++reliefFetchCount;
-    vec2 size = vec2(reliefMapSize());
-    // In the order of textureGather: (0,1), (1,1), (1,0), (0,0).
-    vec4 depths = reliefGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / size);
-    vec2 place = clamp(walk.start + walk.t * walk.speed - vec2(walk.advance), 0.0, 1.0);
-    vec2 slope = vec2(depths.z, depths.x) - depths.w;
-    float twist = (depths.y - depths.x) - slope.x;
-
-    vec2 gradient = slope + twist * place.yx;
-    float depth = depths.w + slope.x * place.x + gradient.y * place.y;
-    vec2 least = min(depths.xy, depths.zw);
-    vec2 most = max(depths.xy, depths.zw);
-    return ReliefProfile(vec3(ray.origin.z + walk.t * ray.direction.z - depth,
-                              ray.direction.z - dot(gradient, walk.speed),
-                              -twist * walk.speed.x * walk.speed.y),
-                         max(most.x, most.y) - min(least.x, least.y));
+    return reliefGather(relievoDepthMap, vec2(reliefWalkCell(walk) + 1) / vec2(reliefMapSize()));
 }
 
-// The t at which the ray, above the surface where it enters the walk's cell, first meets the surface
-// there; kReliefBoundless when it leaves the cell above it, or up to a rounding below. A ray that enters
-// below the surface, which rounding may cause, meets it at once.
-float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
-    vec3 below = reliefProfile(ray, walk).below;
-    if (below.x >= 0.0) return walk.t;
-    float discriminant = below.y * below.y - 4.0 * below.z * below.x;
+// How much the depth differs between the corners of a cell, at most.
+float reliefRise(vec4 corners) {
+    vec2 least = min(corners.xy, corners.zw);
+    vec2 most = max(corners.xy, corners.zw);
+    return max(most.x, most.y) - min(least.x, least.y);
+}
+
+// Where the walk's ray is in its cell, in [0,1]², at a t between where it enters and where it leaves.
+vec2 reliefPlaceInCell(ReliefWalk walk, float t) {
+    return clamp(walk.start + t * walk.speed - vec2(walk.advance), 0.0, 1.0);
+}
+
+// The surface along a ray in the walk's cell, whose corners are given: z − D is x + y·s + z·s², s counted
+// from where the ray enters the cell.
+vec3 reliefProfile(ReliefRay ray, ReliefWalk walk, vec4 corners) {
+    vec2 place = reliefPlaceInCell(walk, walk.t);
+    vec2 slope = vec2(corners.z, corners.x) - corners.w;
+    float twist = (corners.y - corners.x) - slope.x;
+
+    vec2 gradient = slope + twist * place.yx;
+    float depth = corners.w + slope.x * place.x + gradient.y * place.y;
+    return vec3(ray.origin.z + walk.t * ray.direction.z - depth,
+                ray.direction.z - dot(gradient, walk.speed), -twist * walk.speed.x * walk.speed.y);
+}
+
+// The t at which the ray with this profile, above the surface where it enters the walk's cell, first
+// meets the surface there; kReliefBoundless when it leaves the cell above it, or up to a rounding below.
+// A ray that enters below the surface, which rounding may cause, meets it at once.
+float reliefFirstMeeting(vec3 profile, ReliefWalk walk) {
+    if (profile.x >= 0.0) return walk.t;
+    float discriminant = profile.y * profile.y - 4.0 * profile.z * profile.x;
     if (discriminant < 0.0) return kReliefBoundless;
     // The first positive root in the form in which nothing cancels.
     float root = sqrt(discriminant);
-    float numerator = below.y >= 0.0 ? -2.0 * below.x : root - below.y;
-    float denominator = below.y >= 0.0 ? below.y + root : 2.0 * below.z;
+    float numerator = profile.y >= 0.0 ? -2.0 * profile.x : root - profile.y;
+    float denominator = profile.y >= 0.0 ? profile.y + root : 2.0 * profile.z;
     float s = denominator > 0.0 ? numerator / denominator : kReliefBoundless;
     return walk.t + s <= walk.exit ? walk.t + s : kReliefBoundless;
+}
+
+// The same from the map.
+float reliefHitInCell(ReliefRay ray, ReliefWalk walk) {
+    return reliefFirstMeeting(reliefProfile(ray, walk, reliefWalkCorners(walk)), walk);
 }
 
 // All that is left of a ray is free.

@@ -1,59 +1,47 @@
-// First phase by cones on the surface: each texel holds the widest one that stands on it (specification 3.1 and E3).
+// First phase by cells and cones (ours). The four texels that give the depth at a point give the whole
+// bilinear cell that it is in. So each step first solves the cell: a hit there is computed, not approached.
+// Otherwise the ray leaves the cell, and goes on to the side of the cone that stands where it left.
 //
-// Cones with a guarantee on the bilinear surface (RELIEVO_CONE_BILINEAR) hold for every apex in their
-// texel's square: the nearest one is taken. Cones of texel centres hold there only: between them the
-// narrowest cone of the cell's four corners is taken. The nearest one alone would be far too wide
-// beside a cliff, and so would be any mean of them; what is left is the curvature of the cell.
+// For the lookups of search/cone_steps.glsl no step is less than a cell, however narrow the cone, and where
+// the relief is steep, and cones are, nothing converges slowly.
 #include "relievo/search/bracket.glsl"
+#include "relievo/search/cells.glsl"
+#include "relievo/search/cone.glsl"
 
-uniform sampler2D relievoConeMap;  // ratio, or radius = ratio·D
-uniform int relievoConeSteps;
-uniform float relievoTolerance;  // in normalised depth: closer than this above the surface is a hit
-#define RELIEVO_SEARCH_TOLERANCE(rise) relievoTolerance
-
-// The ratio of the cone at a point of the surface: a cell with the given corner depths.
-float reliefConeRatio(vec2 uv, ReliefCell cell, vec4 depths) {
-    ++reliefFetchCount;
-#ifdef RELIEVO_CONE_BILINEAR
-    return textureLod(relievoConeMap, uv, float(reliefLevel)).r;
-#else
-    vec4 cones = reliefGather(relievoConeMap, cell.gather);
-#ifdef RELIEVO_CONE_RADIUS
-    // A corner of depth 0 is a highest point: it has no cone, and the radius says nothing.
-    const float unlimited = 1e30;
-    cones = mix(vec4(unlimited), cones / max(depths, vec4(1e-30)), greaterThan(depths, vec4(0.0)));
-#endif
-    return min(min(cones.x, cones.y), min(cones.z, cones.w));
-#endif
+// The t at which a ray that leaves the walk's cell `gap` above the surface leaves the cone there.
+float reliefConeExit(ReliefRay ray, ReliefWalk walk, vec4 corners, float gap) {
+    vec2 size = vec2(reliefMapSize());
+    vec2 cell = vec2(reliefWalkCell(walk));
+    vec2 texel = cell + step(0.5, reliefPlaceInCell(walk, walk.exit));
+    float ratio = reliefConeRatio((texel + 0.5) / size, (cell + 1.0) / size, corners);
+    return walk.exit + reliefConeStep(ray, ratio, gap);
 }
 
-// The length of the step from a point `gap` above the surface to the side of the cone on it: t with
-// speed·t = ratio·(gap − dz·t). A ray that rises as steeply as the cone never leaves it.
-float reliefConeStep(ReliefRay ray, float ratio, float gap) {
-    float closing = ray.speed + ratio * ray.direction.z;
-    return closing > 0.0 ? ratio * gap / closing : ray.end;
-}
-
-// Steps from cone to cone until a point is in the solid, or off the surface by no more than the tolerance,
-// where the bracket is empty.
+// Until the hit is in a cell, where the bracket is empty, or a point is in the solid: then the ray came
+// there within the cone of the last cell.
 int reliefFind(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
+    ReliefWalk walk = reliefBeginWalk(ray);
     bracket = ReliefBracket(0.0, 0.0, 0.0, 0.0);
     while (steps < relievoConeSteps) {
-        vec3 point = reliefPoint(ray, bracket.inside);
-        ReliefCell cell = reliefCell(point.xy);
-        vec4 depths = reliefCornerDepths(cell);
-        float gap = reliefInterpolate(cell, depths) - point.z;
-        bracket.below = -gap;
-        if (gap <= relievoTolerance) {
-            if (gap >= -relievoTolerance) bracket.outside = bracket.inside;
-            return RELIEVO_OUTCOME_HIT;
-        }
-        if (bracket.inside >= ray.end) return RELIEVO_OUTCOME_MISS;
         ++steps;
-        bracket.outside = bracket.inside;
-        bracket.above = gap;
-        float ratio = reliefConeRatio(point.xy, cell, depths);
-        bracket.inside = min(bracket.inside + reliefConeStep(ray, ratio, gap), ray.end);
+        vec4 corners = reliefWalkCorners(walk);
+        vec3 profile = reliefProfile(ray, walk, corners);
+        bracket.inside = walk.t;
+        bracket.below = profile.x;
+        if (profile.x >= 0.0) return RELIEVO_OUTCOME_HIT;
+        float hit = reliefFirstMeeting(profile, walk);
+        if (min(hit, walk.exit) >= ray.end || hit < kReliefBoundless) {
+            bracket.inside = min(hit, ray.end);
+            bracket.outside = bracket.inside;
+            return hit <= ray.end ? RELIEVO_OUTCOME_HIT : RELIEVO_OUTCOME_MISS;
+        }
+        bracket.outside = walk.exit;
+        float across = walk.exit - walk.t;
+        bracket.above = max(-(profile.x + across * (profile.y + across * profile.z)), 0.0);
+        float free = min(reliefConeExit(ray, walk, corners, bracket.above), ray.end);
+        reliefStepWalk(walk);
+        if (free > walk.exit) reliefJumpWalk(walk, free);
     }
+    bracket.inside = walk.t;
     return RELIEVO_OUTCOME_EXHAUSTED;
 }

@@ -44,14 +44,15 @@ bool reliefIsClear(ReliefRay ray, out float t) {
     ivec2 size = reliefMapSize();
     t = 0.0;
     for (int cells = size.x + size.y; cells > 0; --cells) {
-        ReliefProfile profile = reliefProfile(ray, walk);
-        if (t == 0.0) profile.below.x = 0.0;
+        vec4 corners = reliefWalkCorners(walk);
+        vec3 profile = reliefProfile(ray, walk, corners);
+        if (t == 0.0) profile.x = 0.0;
         float span = min(walk.exit, ray.end) - walk.t;
-        if (reliefDeepest(profile.below, span) > kReliefDepthRounding) return false;
+        if (reliefDeepest(profile, span) > kReliefDepthRounding) return false;
         t = walk.exit;
         if (t >= ray.end) return true;
-        float above = -profile.below.x - (profile.below.y + profile.below.z * span) * span;
-        if (above > reliefClearance(ray, profile.rise)) return true;
+        float above = -profile.x - (profile.y + profile.z * span) * span;
+        if (above > reliefClearance(ray, reliefRise(corners))) return true;
         reliefStepWalk(walk);
     }
     return true;

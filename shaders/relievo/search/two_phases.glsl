@@ -1,7 +1,7 @@
 // Searches that find a stretch of the ray with a crossing in it, and then the crossing: what most techniques
 // are (thesis, table 2.1). The technique's file includes one file for each phase, or defines it:
 //
-//   first phase    linear.glsl, cones.glsl, skip.glsl, whole_ray.glsl
+//   first phase    linear.glsl, cone_steps.glsl, cones.glsl, skip.glsl, whole_ray.glsl
 //   second phase   binary.glsl, secant.glsl
 #include "relievo/search/bracket.glsl"
 #include "relievo/search/result.glsl"
