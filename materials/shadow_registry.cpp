@@ -17,8 +17,11 @@ constexpr std::string_view kHorizonMaps[] = {"depth", "horizon"};
 constexpr std::string_view kEllipseMaps[] = {"depth", "ellipse"};
 
 constexpr TechniqueParameter kSoftParameters[] = {
+    {"shadow-slices", "relievoShadowSlices",
+     "slices of the light, side by side, before which the relief may stand at different heights", 1,
+     16, 4, true, false},
     {"shadow-halvings", "relievoShadowHalvings",
-     "searches that a penumbra takes besides those along the edges of the light", 0, 16, 5, true,
+     "searches that a slice takes in a penumbra besides those along its edges", 0, 16, 3, true,
      true},
 };
 
@@ -33,13 +36,13 @@ constexpr ShadowMethod kMethods[] = {
      .errors = {{0.05, 16.3}, {0.05, 34.3}}},
     {.name = "soft",
      .title = "soft shadows by search",
-     .origin = "Tatarchuk 2006; bisected: ours",
+     .origin = "Tatarchuk 2006; bisected, in slices: ours",
      .file = "relievo/shadows/soft.glsl",
      .maps = kDepthMaps,
      .parameters = kSoftParameters,
      .searches = true,
      .isSoft = true,
-     .errors = {{0.05, 3.46}, {0.05, 22.1}}},
+     .errors = {{0.05, 0.053}, {0.05, 0.49}}},
     {.name = "horizon",
      .title = "shadows by a horizon map",
      .origin = "Max 1988",

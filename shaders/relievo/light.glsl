@@ -7,6 +7,7 @@
 //
 // the share of the light that gets to its point, 0 to 1. What stands below the reference surface, of
 // the light, never does.
+#include "relievo/disc.glsl"
 #include "relievo/material.glsl"
 
 // A light far away, seen as a disc. Directions are those of tile space, all scaled alike.
@@ -31,10 +32,4 @@ ReliefLight makeReliefLight(ReliefSurface surface, vec3 point, vec3 toLight, flo
     vec3 lift = reliefTileDirection(surface, spread * cross(toLight, side), relievoDepthScale);
     side = reliefTileDirection(surface, spread * side, relievoDepthScale);
     return ReliefLight(point, scale * direction, scale * lift, scale * side);
-}
-
-// The share of a disc of radius 1 that lies beyond a straight line at a distance from its centre.
-float reliefDiscBeyond(float line) {
-    float x = clamp(line, -1.0, 1.0);
-    return clamp(0.5 - (x * sqrt(1.0 - x * x) + asin(x)) / 3.14159265, 0.0, 1.0);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <map>
 #include <set>
 #include <string>
 
@@ -52,15 +53,18 @@ class LitScene {
     }
 
     MeasuredFrame measure(const materials::Technique& technique,
-                          const materials::ShadowMethod* method) {
+                          const materials::ShadowMethod* method,
+                          const std::map<std::string, double>& parameters = {}) {
         materials::ReliefMaterial material = scene_.renderer.makeMaterial(technique);
         material.setShadow(method);
+        for (const auto& [name, value] : parameters)
+            material.setParameter(name, value);
         return scene_.renderer.measure(material, scene_.view, kFrameSize, kFrameSize);
     }
 
-    LightErrors errors(const materials::Technique& technique,
-                       const materials::ShadowMethod* method) {
-        return summarizeLight(measure(technique, method), exact_);
+    LightErrors errors(const materials::Technique& technique, const materials::ShadowMethod* method,
+                       const std::map<std::string, double>& parameters = {}) {
+        return summarizeLight(measure(technique, method, parameters), exact_);
     }
 
   private:
@@ -165,6 +169,26 @@ TEST_F(Shadows, LightRaysAreSearchedByAnyTechnique) {
         fmt::print("{:20} {:7.3f} % of the pixels wrongly lit or dark\n", technique->name, worst);
         EXPECT_LE(worst, sure.contains(technique->name) ? 0.5 : 25.0) << technique->name;
     }
+}
+
+// One blocker height for the whole light hides too much behind what is narrower than the light.
+TEST_F(Shadows, SlicesTellWhatIsNarrowerThanTheLight) {
+    const materials::ShadowMethod& soft = materials::findShadowMethod("soft");
+    LitScene scene(sampleMap("pillars"), bench::planFor(exactTechnique(), &soft));
+    scene.light({15.0f, kDisc});
+    const auto errorsWith = [&](int slices) {
+        const LightErrors errors =
+            scene.errors(exactTechnique(), &soft, {{"shadow-slices", slices}});
+        fmt::print("{:2} slices: {:6.3f} % wrong, {:.1f} fetches\n", slices,
+                   100 * errors.wrongShare, errors.meanFetches);
+        return errors;
+    };
+    const LightErrors one = errorsWith(1);
+    const LightErrors two = errorsWith(2);
+    const LightErrors four = errorsWith(4);
+    EXPECT_LT(two.wrongShare, 0.7 * one.wrongShare);
+    EXPECT_LT(four.wrongShare, 0.1 * one.wrongShare);
+    EXPECT_LT(four.meanFetches, 4 * one.meanFetches);
 }
 
 // The map's horizons as if it were mirrored in u.
