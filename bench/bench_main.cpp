@@ -2,6 +2,7 @@
 #include "bench/render_command.h"
 #include "bench/scene_command.h"
 #include "bench/search_command.h"
+#include "bench/shadow_command.h"
 #include "bench/sheet_command.h"
 #include "bench/sparkle_command.h"
 #include "commands/program.h"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
     relievo::bench::RenderCommand render(app);
     relievo::bench::SceneCommand scene(app);
     relievo::bench::SearchCommand search(app);
+    relievo::bench::ShadowCommand shadow(app);
     relievo::bench::SheetCommand sheet(app);
     relievo::bench::SparkleCommand sparkle(app);
     return relievo::commands::runProgram(app, argc, argv, [&] {
@@ -24,6 +26,8 @@ int main(int argc, char** argv) {
             scene.run();
         if (search.chosen())
             search.run();
+        if (shadow.chosen())
+            shadow.run();
         if (sheet.chosen())
             sheet.run();
         if (sparkle.chosen())

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "bench/sample_stages.h"
-#include "bench/stopwatch.h"
 #include "commands/progress.h"
 #include "materials/technique_registry.h"
 #include "viewer/camera.h"
@@ -59,17 +58,6 @@ double meanDifference(const std::vector<float>& a, const std::vector<float>& b) 
     return sum / static_cast<double>(a.size() / 4 * 3);
 }
 
-double frameSeconds(viewer::SceneRenderer& renderer, materials::ReliefMaterial& material,
-                    const viewer::View& view, gl::Framebuffer& target, int repeat) {
-    // The first frame compiles the program and uploads the maps.
-    renderer.draw(material, view, target);
-    glFinish();
-    return leastSeconds(repeat, [&] {
-        renderer.draw(material, view, target);
-        glFinish();
-    });
-}
-
 /// What is true of one sample from one elevation.
 struct ExactView {
     viewer::View view;
@@ -96,8 +84,7 @@ RenderMeasurement measureTechnique(SampleStage& stage, const materials::Techniqu
     result.technique = technique.name;
     result.steps = steps;
     result.size = options.size;
-    result.seconds =
-        frameSeconds(stage.renderer, material, exact.view, stage.target, options.repeat);
+    result.seconds = frameSeconds(stage, material, exact.view, options.repeat);
     result.pictureDifference = meanDifference(stage.target.read(0), exact.picture);
     const viewer::MeasuredFrame frame =
         stage.renderer.measure(material, exact.view, options.frame, options.frame);

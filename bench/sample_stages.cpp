@@ -2,19 +2,32 @@
 
 #include <array>
 
+#include "bench/stopwatch.h"
 #include "bench/technique_maps.h"
 #include "preprocess/relief_baker.h"
 #include "textures/sample_reliefs.h"
 
 namespace relievo::bench {
 
+double frameSeconds(SampleStage& stage, materials::ReliefMaterial& material,
+                    const viewer::View& view, int repeat) {
+    const auto draw = [&] {
+        stage.renderer.draw(material, view, stage.target);
+        glFinish();
+    };
+    // The first frame compiles the program and uploads the maps.
+    draw();
+    return leastSeconds(repeat, draw);
+}
+
 SampleStages::SampleStages(const std::string& sample, const StageSetting& setting)
     : name_(sample),
       setting_(setting),
       relief_(textures::generateSampleRelief(sample, setting.size, setting.size)) {}
 
-SampleStage& SampleStages::of(const materials::Technique& technique) {
-    const preprocess::ReliefPlan plan = planFor(technique);
+SampleStage& SampleStages::of(const materials::Technique& technique,
+                              const materials::ShadowMethod* shadow) {
+    const preprocess::ReliefPlan plan = planFor(technique, shadow);
     const std::string key = preprocess::optionWords(plan);
     if (const auto found = stages_.find(key); found != stages_.end())
         return found->second;

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "gl/framebuffer.h"
+#include "materials/relief_material.h"
+#include "materials/shadow_registry.h"
 #include "materials/technique_registry.h"
 #include "surfaces/surface_mesh.h"
 #include "textures/depth_map.h"
@@ -26,6 +28,10 @@ struct StageSetting {
     surfaces::Tiles tiles{1.0f};  ///< on a quad
 };
 
+/// The least time in seconds of `repeat` ≥ 1 shaded frames, drawn to the stage's target.
+double frameSeconds(SampleStage& stage, materials::ReliefMaterial& material,
+                    const viewer::View& view, int repeat);
+
 /// A sample relief with the maps of every technique that asks for it: those that need the same maps
 /// share a stage. Needs a current context for its whole life.
 class SampleStages {
@@ -33,8 +39,10 @@ class SampleStages {
     /// `sample` is one of textures::sampleReliefs.
     SampleStages(const std::string& sample, const StageSetting& setting);
 
-    /// The stage for `technique`; bakes its maps when it is the first that needs them.
-    SampleStage& of(const materials::Technique& technique);
+    /// The stage for `technique` and the shadow method, if there is one; bakes their maps when they
+    /// are the first that need them.
+    SampleStage& of(const materials::Technique& technique,
+                    const materials::ShadowMethod* shadow = nullptr);
 
   private:
     std::string name_;

@@ -19,10 +19,10 @@ constexpr std::string_view kEllipseMaps[] = {"depth", "ellipse"};
 constexpr TechniqueParameter kSoftParameters[] = {
     {"shadow-slices", "relievoShadowSlices",
      "slices of the light, side by side, before which the relief may stand at different heights", 1,
-     16, 4, true, false},
+     16, 4, true, true},
     {"shadow-halvings", "relievoShadowHalvings",
      "searches that a slice takes in a penumbra besides those along its edges", 0, 16, 3, true,
-     true},
+     false},
 };
 
 constexpr ShadowMethod kMethods[] = {
@@ -88,6 +88,11 @@ const ShadowMethod& findShadowMethod(std::string_view name) {
         names.push_back(method.name);
     throw textures::InputError(fmt::format("unknown shadow method \"{}\", expected one of {}", name,
                                            fmt::join(names, ", ")));
+}
+
+const TechniqueParameter* budgetParameter(const ShadowMethod& method) {
+    const auto found = std::ranges::find_if(method.parameters, &TechniqueParameter::isBudget);
+    return found == method.parameters.end() ? nullptr : &*found;
 }
 
 }  // namespace relievo::materials

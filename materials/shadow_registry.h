@@ -10,7 +10,7 @@ namespace relievo::materials {
 /// The most that a method of self-shadowing is wrong: its share of pixels that are off by over a
 /// tenth of the light, in per cent, on any of the sample reliefs, of 128² texels and 0.1 tile
 /// widths deep, seen from 60° in a frame of 64² rays with the technique `exact`. Tests hold every
-/// method to it.
+/// method to it; `relievo-bench shadow --size 128 --frame 64` prints it.
 struct ShadowErrorBudget {
     struct At {
         double pointPercent = 0.0;  ///< under a light that is a point
@@ -45,5 +45,8 @@ const ShadowMethod& givenShadowMethod();
 
 /// The method called `name`. Throws textures::InputError, listing the names, for an unknown one.
 const ShadowMethod& findShadowMethod(std::string_view name);
+
+/// What a benchmark varies to trade time for error, or null for a method without it.
+const TechniqueParameter* budgetParameter(const ShadowMethod& method);
 
 }  // namespace relievo::materials

@@ -2,10 +2,11 @@
 
 // What lies between its middle and a line at a distance from it, negative on the other side.
 float reliefDiscUpTo(float line) {
-    return (line * sqrt(max(1.0 - line * line, 0.0)) + asin(line)) / 3.14159265;
+    float x = clamp(line, -1.0, 1.0);
+    return (x * sqrt(1.0 - x * x) + asin(x)) / 3.14159265;
 }
 
-// What lies between two parallel lines, −1 ≤ low ≤ high ≤ 1, and beyond a line at right angles to them.
+// What lies between two parallel lines, low ≤ high, and beyond a line at right angles to them.
 float reliefSliceBeyond(float low, float high, float line) {
     float height = min(abs(line), 1.0);
     float reach = sqrt(1.0 - height * height);

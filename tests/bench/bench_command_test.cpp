@@ -228,6 +228,61 @@ TEST(BenchRender, BackEndsAgreeOnAllButTime) {
     EXPECT_EQ(osmesa, withoutTimes("egl"));
 }
 
+const Words kSmallShadow{"shadow",
+                         "--samples",
+                         "pillars",
+                         "--methods",
+                         "none,search,soft,horizon",
+                         "--elevations",
+                         "30",
+                         "--light-sizes",
+                         "0,20",
+                         "--budgets",
+                         "1,6,100",
+                         "--size",
+                         "32",
+                         "--frame",
+                         "29",
+                         "--light-rays",
+                         "64",
+                         "--repeat",
+                         "1"};
+
+TEST(BenchShadow, MoreSlicesOfTheLightHaveFewerErrors) {
+    const ScratchFolder folder;
+    const ProcessResult result = bench(
+        kSmallShadow + Words{"--json", folder.file("shadow.json"), "--plot",
+                             folder.file("shadow.svg"), "--markdown", folder.file("shadow.md")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    const auto report = nlohmann::json::parse(readBytes(folder.file("shadow.json")));
+    EXPECT_EQ(report.at("benchmark"), "shadow");
+    EXPECT_EQ(report.at("technique"), "exact");
+    const auto& rows = report.at("rows");
+    // The third budget is more than the method can take.
+    ASSERT_EQ(rows.size(), 2u * (1 + 1 + 2 + 1));
+    EXPECT_EQ(parseTable(result.output).size(), 1 + rows.size());
+    for (const auto& row : rows)
+        EXPECT_GT(row.at("milliseconds"), 0.0);
+    const auto find = [&](const std::string& method, double size, const nlohmann::json& budget) {
+        for (const auto& row : rows)
+            if (row.at("method") == method && row.at("lightSize") == size &&
+                row.at("budget") == budget)
+                return row;
+        throw std::runtime_error("no row for " + method);
+    };
+    EXPECT_EQ(find("none", 0.0, nullptr).at("meanFetches"), 0.0);
+    EXPECT_GT(find("none", 0.0, nullptr).at("wrongPercent"), 5.0);
+    EXPECT_EQ(find("horizon", 0.0, nullptr).at("meanFetches"), 2.0);
+    EXPECT_EQ(find("search", 0.0, nullptr).at("wrongPercent"), 0.0);
+    EXPECT_GT(find("search", 20.0, nullptr).at("wrongPercent"), 5.0);
+    EXPECT_LT(find("soft", 20.0, 6).at("wrongPercent"), find("soft", 20.0, 1).at("wrongPercent"));
+    EXPECT_GT(find("soft", 20.0, 6).at("meanFetches"), find("soft", 20.0, 1).at("meanFetches"));
+    EXPECT_THAT(readBytes(folder.file("shadow.svg")), HasSubstr("light from 30"));
+    EXPECT_THAT(readBytes(folder.file("shadow.md")),
+                AllOf(HasSubstr("## Wrong pixels on the worst relief"), HasSubstr("| soft 6 |"),
+                      HasSubstr("30°, 20° across")));
+}
+
 TEST(BenchSheet, HasAPictureForEveryTechniqueAndTheExactOne) {
     const ScratchFolder folder;
     const auto sizeOf = [&](const char* columns) {
@@ -270,6 +325,10 @@ TEST(Bench, HelpListsWhatThereIs) {
     EXPECT_EQ(render.exitStatus, 0);
     EXPECT_THAT(render.output, HasSubstr("relief"));
     EXPECT_THAT(render.output, HasSubstr("Examples"));
+    const ProcessResult shadow = bench({"shadow", "--help"});
+    EXPECT_EQ(shadow.exitStatus, 0);
+    EXPECT_THAT(shadow.output, HasSubstr("none, search, soft, horizon, ellipse"));
+    EXPECT_THAT(shadow.output, HasSubstr("Examples"));
 }
 
 TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
@@ -295,6 +354,10 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"render", "--steps", "0"},
         {"render", "--backend", "vulkan"},
         {"render", "--plot-against", "luck"},
+        {"shadow", "--methods", "magic"},
+        {"shadow", "--technique", "parallax"},
+        {"shadow", "--light-sizes", "-1"},
+        {"shadow", "--elevations", "0"},
         {"sheet"},
         {"sheet", "--sample", "mountains", "-o", folder.file("sheet.png")},
         {"sheet", "--elevation", "0", "-o", folder.file("sheet.png")},

@@ -67,7 +67,7 @@ TEST(Documentation, HasTheOptionsOfThePrograms) {
     expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
     expectSameOptions("relievo-bench",
-                      {"", "bake", "render", "scene", "search", "sheet", "sparkle"});
+                      {"", "bake", "render", "scene", "search", "shadow", "sheet", "sparkle"});
 }
 
 TEST(Documentation, TheCheckSeesAnOptionThatIsMissing) {

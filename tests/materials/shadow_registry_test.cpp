@@ -46,6 +46,12 @@ TEST(ShadowRegistry, FindsByNameAndListsTheNamesOtherwise) {
     }
 }
 
+TEST(ShadowRegistry, KnowsWhatTradesTimeForError) {
+    EXPECT_EQ(budgetParameter(findShadowMethod("horizon")), nullptr);
+    ASSERT_NE(budgetParameter(findShadowMethod("soft")), nullptr);
+    EXPECT_EQ(budgetParameter(findShadowMethod("soft"))->name, "shadow-slices");
+}
+
 class ShadowedMaterial : public testing::Test {
   protected:
     static std::shared_ptr<ReliefMaps> flatMaps() {
