@@ -28,15 +28,16 @@ class SceneFrames {
         view_.toLight = viewer::directionTowards(model.light.azimuth, model.light.elevation);
     }
 
-    SceneMeasurement measure(bool skipsHidden, std::optional<int> steps) {
+    void setParameter(std::string_view name, double value) { scene_.setParameter(name, value); }
+
+    SceneMeasurement measure(bool skipsHidden) {
         if (exact_.empty())
             exact_ = traceScene(scene_.exactObjects(), view_.camera, width_, height_);
-        if (steps)
-            scene_.setBudget(*steps);
         view_.skipHidden = skipsHidden;
         const viewer::VisibleFrame frame = frames_.show(scene_.objects(), view_, width_, height_);
         return {technique_,
-                steps,
+                std::nullopt,
+                std::nullopt,
                 skipsHidden,
                 frame.fetches,
                 static_cast<double>(frame.fetches) / static_cast<double>(frame.pixels.size()),
@@ -65,17 +66,43 @@ class SceneFrames {
     std::vector<std::optional<viewer::ExactHit>> exact_;
 };
 
-// Relief mapping with the least power of two of steps that is no more wrong than `goal`, or with
-// the most steps.
-SceneMeasurement matchByRelief(const SceneModel& model, const viewer::SceneErrors& goal,
-                               const SceneBenchmarkOptions& options) {
+constexpr std::string_view kPixelError = "pixel-error";
+
+bool takesPixelError(const materials::Technique& technique) {
+    return std::ranges::find(technique.parameters, kPixelError,
+                             &materials::TechniqueParameter::name) != technique.parameters.end();
+}
+
+// A technique with each target, if it takes one, with hidden objects skipped and searched.
+void measureTechnique(const SceneModel& model, const std::string& technique,
+                      const SceneBenchmarkOptions& options,
+                      std::vector<SceneMeasurement>& measurements) {
+    SceneFrames frames(model, technique, options);
+    std::vector<std::optional<double>> targets{std::nullopt};
+    if (takesPixelError(materials::findTechnique(technique)))
+        targets.assign(options.pixelErrors.begin(), options.pixelErrors.end());
+    for (const std::optional<double>& target : targets) {
+        if (target)
+            frames.setParameter(kPixelError, *target);
+        for (const bool skipsHidden : {true, false})
+            measurements.emplace_back(frames.measure(skipsHidden)).pixelError = target;
+    }
+}
+
+// Relief mapping with more and more steps, powers of two, until it is no more wrong than `goal` by
+// any measure, or has the most steps.
+void measureReliefMapping(const SceneModel& model, const viewer::SceneErrors& goal,
+                          const SceneBenchmarkOptions& options,
+                          std::vector<SceneMeasurement>& measurements) {
     SceneFrames relief(model, "relief", options);
-    for (int steps = kFewestSteps;; steps *= 2) {
-        SceneMeasurement result = relief.measure(false, steps);
-        const bool isAsGood = result.errors.wrongShare <= goal.wrongShare &&
-                              result.errors.meanShift <= goal.meanShift;
-        if (isAsGood || steps == kMostSteps)
-            return result;
+    for (int steps = kFewestSteps; steps <= kMostSteps; steps *= 2) {
+        relief.setParameter("linear-steps", steps);
+        SceneMeasurement& result = measurements.emplace_back(relief.measure(false));
+        result.steps = steps;
+        if (result.errors.wrongObjectShare <= goal.wrongObjectShare &&
+            result.errors.wrongShare <= goal.wrongShare &&
+            result.errors.meanShift <= goal.meanShift)
+            return;
     }
 }
 
@@ -84,28 +111,34 @@ SceneMeasurement matchByRelief(const SceneModel& model, const viewer::SceneError
 std::vector<SceneMeasurement> measureScene(const SceneBenchmarkOptions& options) {
     const SceneModel model = sceneModel(options.scene);
     std::vector<SceneMeasurement> measurements;
+    viewer::SceneErrors goal;
     for (const std::string& technique : options.techniques) {
-        SceneFrames frames(model, technique, options);
-        for (const bool skipsHidden : {true, false})
-            measurements.push_back(frames.measure(skipsHidden, std::nullopt));
+        measureTechnique(model, technique, options, measurements);
+        if (technique == options.techniques.front())
+            goal = measurements.back().errors;
     }
-    measurements.push_back(matchByRelief(model, measurements.front().errors, options));
+    measureReliefMapping(model, goal, options, measurements);
     return measurements;
 }
 
 ReportTable sceneTable(const std::vector<SceneMeasurement>& measurements) {
     ReportTable table;
-    table.columns = {
-        {"technique", "technique"},          {"stepBudget", "budget"},
-        {"hiddenObjects", "hidden objects"}, {"fetches", "lookups", 9},
-        {"fetchesPerPixel", "per pixel"},    {"wrongObjectPercent", "wrong object %", 3},
-        {"wrongPercent", "wrong %", 3},      {"meanShiftPixels", "mean shift", 3}};
+    table.columns = {{"technique", "technique"},
+                     {"pixelError", "target"},
+                     {"stepBudget", "budget"},
+                     {"hiddenObjects", "hidden objects"},
+                     {"fetches", "lookups", 9},
+                     {"fetchesPerPixel", "per pixel"},
+                     {"wrongObjectPercent", "wrong object %", 3},
+                     {"wrongPercent", "wrong %", 3},
+                     {"meanShiftPixels", "mean shift", 3}};
     for (const SceneMeasurement& m : measurements)
-        table.rows.push_back(
-            {m.technique, m.steps ? ReportCell(std::int64_t{*m.steps}) : ReportCell(),
-             std::string(m.skipsHidden ? "skipped" : "searched"),
-             static_cast<std::int64_t>(m.fetches), m.fetchesPerPixel,
-             100.0 * m.errors.wrongObjectShare, 100.0 * m.errors.wrongShare, m.errors.meanShift});
+        table.rows.push_back({m.technique, m.pixelError ? ReportCell(*m.pixelError) : ReportCell(),
+                              m.steps ? ReportCell(std::int64_t{*m.steps}) : ReportCell(),
+                              std::string(m.skipsHidden ? "skipped" : "searched"),
+                              static_cast<std::int64_t>(m.fetches), m.fetchesPerPixel,
+                              100.0 * m.errors.wrongObjectShare, 100.0 * m.errors.wrongShare,
+                              m.errors.meanShift});
     return table;
 }
 

@@ -25,6 +25,13 @@ SceneCommand::SceneCommand(CLI::App& app)
         ->type_name("NAME,...")
         ->default_str("auto,exact")
         ->check(CLI::IsMember(names).description(""));
+    command_
+        ->add_option("--pixel-errors", options_.pixelErrors,
+                     "Targets of auto: pixels by which a point may be out of place")
+        ->delimiter(',')
+        ->type_name("PIXELS,...")
+        ->default_str("0.25,0.1")
+        ->check(CLI::Range(0.001, 64.0));
     const auto add = [this](const char* name, auto& value, const char* description) {
         return command_->add_option(name, value, description)->capture_default_str();
     };

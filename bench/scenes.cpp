@@ -96,10 +96,10 @@ const StagedScene::Relief& StagedScene::reliefOf(std::string_view sample, int si
     return reliefs_.emplace(sample, Relief{std::move(map), std::move(maps)}).first->second;
 }
 
-void StagedScene::setBudget(int steps) {
+void StagedScene::setParameter(std::string_view name, double value) {
     for (std::optional<materials::ReliefMaterial>& material : materials_)
         if (material)
-            material->setParameter(materials::budgetParameter(technique_)->name, steps);
+            material->setParameter(name, value);
 }
 
 std::vector<viewer::SceneObject> StagedScene::objects() const {

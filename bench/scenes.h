@@ -44,8 +44,8 @@ class StagedScene {
     /// The reliefs have size² texels.
     StagedScene(const SceneModel& model, const materials::Technique& technique, int size);
 
-    /// Sets the technique's step budget.
-    void setBudget(int steps);
+    /// Sets a parameter of the technique for every relief.
+    void setParameter(std::string_view name, double value);
     /// These point into the scene.
     [[nodiscard]] std::vector<viewer::SceneObject> objects() const;
     [[nodiscard]] std::vector<viewer::ExactObject> exactObjects() const;

@@ -111,7 +111,7 @@ constexpr TechniqueParameter kExactParameters[] = {kExactSteps};
 constexpr TechniqueParameter kAutoParameters[] = {
     kExactSteps,
     {"pixel-error", "relievoPixelError", "pixels by which a point may be out of place", 0.001, 64,
-     0.5, false, false},
+     0.25, false, false},
 };
 
 constexpr Technique kTechniques[] = {
@@ -288,7 +288,7 @@ constexpr Technique kTechniques[] = {
      .file = "relievo/techniques/auto.glsl",
      .maps = kRoofMaps,
      .parameters = kAutoParameters,
-     .errors = {{58.0, 1.0}, {83.7, 2.33}}},
+     .errors = {{0.0, 0.31}, {40.0, 0.748}}},
 };
 
 constexpr Technique kGivenHits = {.name = "reference",

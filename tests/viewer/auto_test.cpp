@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kMapSize = 64;
 constexpr int kFrameSize = 48;
-constexpr double kDefaultError = 0.5;  // of the parameter pixel-error
+constexpr double kDefaultError = 0.25;  // of the parameter pixel-error
 
 const materials::Technique& autoTechnique() {
     return materials::findTechnique("auto");

@@ -5,7 +5,9 @@
 // - Everywhere else roof cones lead to the first hit, between the least and the greatest depth of the
 //   relief only, and no further than to where what is left of the depth is less than the target.
 // - In between the hit turns into that plane, so that no border is seen. With half of the depth n times
-//   the target, n from 1 to 2, the error is at most (2 − n)·n times the target, which is not above it.
+//   the target, n from 1 to 2, points are drawn at n − 1 times their distance from the plane, which is off by
+//   (2 − n)·n times the target at most; and the search leaves out n − 1 times the target at the bottom, where
+//   they are off by n − (n − 1)·(n − (n − 1)) times the target, which is once.
 //
 // Error: relievoPixelError. Cost: that of techniques/exact.glsl or less. Light rays that begin at such hits
 // would begin above or below the relief: programs with shadows/search.glsl or soft.glsl take
@@ -39,8 +41,8 @@ ReliefHit searchRelief(ReliefRay ray) {
     float targets = halfDepth * ray.pixelsPerDepth / relievoPixelError;
     ReliefHit middle = reliefMiddle(ray);
     if (targets <= 1.0) return middle;
-    ReliefHit hit = reliefSearchBetween(ray, relievoDepthRange.y - halfDepth / targets);
     float found = min(targets - 1.0, 1.0);
+    ReliefHit hit = reliefSearchBetween(ray, relievoDepthRange.y - found * halfDepth / targets);
     if (found < 1.0 && hit.outcome == RELIEVO_OUTCOME_HIT && middle.outcome == RELIEVO_OUTCOME_HIT)
         return reliefResult(ray, mix(middle.t, hit.t, found), RELIEVO_OUTCOME_HIT, hit.steps);
     return hit;
