@@ -12,7 +12,8 @@ namespace relievo::viewer {
 textures::MapSet bakeMaps(const textures::DepthMap& map, textures::ConeEncoding encoding) {
     preprocess::ReliefPlan plan;
     plan.maps.insert(plan.maps.end(), {"extrema", "cylinder", "volume"});
-    plan.guarantee = "texel";
+    if (encoding == textures::ConeEncoding::Radius)
+        plan.guarantee = "texel";
     plan.encoding = encoding;
     textures::MapSet maps = preprocess::bakeRelief(map, plan);
     preprocess::ReliefPlan roofs;

@@ -18,7 +18,8 @@
 
 namespace relievo::viewer {
 
-/// All maps that techniques read, built in memory: cones of texel centres, and roof cones.
+/// All maps that techniques read, built in memory: conservative cones (as radii those of texel
+/// centres, which are the only ones), and roof cones.
 textures::MapSet bakeMaps(const textures::DepthMap& map,
                           textures::ConeEncoding encoding = textures::ConeEncoding::Ratio);
 

@@ -56,12 +56,13 @@ ReliefWalk reliefBeginWalk(ReliefRay ray) {
     // An even one: a mirrored map looks the same from there.
     vec2 tile = 2.0 * floor(0.5 * ray.origin.xy);
 #endif
-    vec2 texels = (ray.origin.xy - tile) * size - 0.5;
-    vec2 cell = floor(texels);
+    vec2 texels = (ray.origin.xy - tile) * size;
+    vec2 cell = floor(texels - 0.5);
 #ifdef RELIEVO_WRAP_CLAMP
     cell = clamp(cell, vec2(-1.0), size - 1.0);
 #endif
-    ReliefWalk walk = ReliefWalk(texels - cell, ray.direction.xy * size, ivec2(cell), ivec2(0), 0.0,
+    // In this order the differences are exact, or of less than a texel.
+    ReliefWalk walk = ReliefWalk((texels - cell) - 0.5, ray.direction.xy * size, ivec2(cell), ivec2(0), 0.0,
                                  0.0);
     reliefFindExit(walk);
     return walk;
