@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -21,6 +22,7 @@ namespace relievo::tests {
 namespace {
 
 constexpr int kCannotStart = 127;
+constexpr std::chrono::seconds kPatience{60};
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -32,13 +34,17 @@ File unnamedFile() {
     return file;
 }
 
+// Also while the program writes: reading leaves the place alone where it does.
 std::string contents(std::FILE* file) {
-    std::rewind(file);
     std::string text;
     std::array<char, 4096> buffer;
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file))
-        text.append(buffer.data(), count);
-    return text;
+    for (;;) {
+        const ssize_t count =
+            pread(fileno(file), buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+        if (count <= 0)
+            return text;
+        text.append(buffer.data(), static_cast<std::size_t>(count));
+    }
 }
 
 // Runs between fork and exec: only async-signal-safe calls.
@@ -65,17 +71,23 @@ bool hasEnded(pid_t child) {
 }
 
 // Sends the signal when it is time to. A program that has ended is still there until waited for.
-void interrupt(pid_t child, const ProcessOptions& options) {
+void interrupt(pid_t child, const ProcessOptions& options, std::FILE* output) {
     if (options.signalAfter) {
         std::this_thread::sleep_for(*options.signalAfter);
         kill(child, options.signal);
     }
     if (!options.signalWhen)
         return;
+    const auto end = std::chrono::steady_clock::now() + kPatience;
     while (!hasEnded(child)) {
-        if (options.signalWhen()) {
+        if (options.signalWhen(contents(output))) {
             kill(child, options.signal);
             return;
+        }
+        if (std::chrono::steady_clock::now() > end) {
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+            throw std::runtime_error("the program does not come to where it is to be signalled");
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -104,7 +116,7 @@ ProcessResult runProcess(const std::vector<std::string>& command, const ProcessO
         throw std::runtime_error("cannot fork");
     if (child == 0)
         becomeProgram(arguments.data(), options, fileno(output.get()), fileno(errors.get()));
-    interrupt(child, options);
+    interrupt(child, options, output.get());
     const int status = waitForEnd(child);
 
     ProcessResult result;

@@ -14,8 +14,9 @@ struct ProcessOptions {
     std::filesystem::path folder;  ///< working folder; "" is the current one
     /// Send `signal` so long after the start, unless the program has ended by then.
     std::optional<std::chrono::milliseconds> signalAfter;
-    /// Send `signal` as soon as this holds, unless the program has ended by then.
-    std::function<bool()> signalWhen;
+    /// Send `signal` as soon as this holds of what the program has printed on stdout, unless it has
+    /// ended by then. It must come to that within a minute.
+    std::function<bool(const std::string& output)> signalWhen;
     int signal = 2;  ///< SIGINT
     /// Limit in bytes on the size of every file that the program writes (RLIMIT_FSIZE), which makes
     /// a write fail like a full disk does, without the rights to mount one.
@@ -31,7 +32,7 @@ struct ProcessResult {
 };
 
 /// Runs `command` (the program's path, then its arguments; no shell) to its end. Throws
-/// std::runtime_error when it cannot be started.
+/// std::runtime_error when it cannot be started, or does not come to where it is to be signalled.
 ProcessResult runProcess(const std::vector<std::string>& command,
                          const ProcessOptions& options = {});
 

@@ -225,7 +225,7 @@ TEST_F(BadInput, InterruptionWhileWritingLeavesNothing) {
     const std::string height = folder.file("height.png");
     ASSERT_EQ(bake({"sample", "wave", "-o", height, "--size", "1024x1024"}).exitStatus, 0);
     ProcessOptions options;
-    options.signalWhen = [&] {  // the temporary file has its first bytes
+    options.signalWhen = [&](const std::string&) {  // the temporary file has its first bytes
         for (const std::string& name : folder.list()) {
             std::error_code gone;
             if (name != "height.png" &&

@@ -77,23 +77,27 @@ glm::dvec3 centralNormal(const textures::DepthMap& map, int i, int j, double dep
                                      depthScale * texels * (at(i, j + 1) - at(i, j - 1)), 1.0));
 }
 
-// A scene of 4×4 tiles whose corner is the corner of the first one, a pixel for each texel.
-RayScene tiledScene(const textures::DepthMap& map) {
+// Calls `check` with a sample relief in every wrap mode, and a scene of 4×4 tiles of it whose
+// corner is the corner of the first one.
+template <typename Check>
+void forEveryWrapMode(std::string_view sample, int width, int height, const Check& check) {
     preprocess::ReliefPlan plan;
     plan.maps = {"depth", "derivative", "normal"};
     plan.normalScale = kNormalScale;
-    RayScene scene(preprocess::bakeRelief(map, plan), 0.0f, 90.0f);
-    scene.renderer.setSurface(surfaces::makeQuad({4, 4}, static_cast<float>(map.aspect())));
-    return scene;
+    for (const textures::WrapMode wrap :
+         {textures::WrapMode::Repeat, textures::WrapMode::Mirror, textures::WrapMode::Clamp}) {
+        SCOPED_TRACE(std::string(textures::wrapModeName(wrap)));
+        textures::DepthMap map = textures::generateSampleRelief(sample, width, height);
+        map.wrap = wrap;
+        RayScene scene(preprocess::bakeRelief(map, plan), 0.0f, 90.0f);
+        scene.renderer.setSurface(surfaces::makeQuad({4, 4}, static_cast<float>(map.aspect())));
+        check(map, scene);
+    }
 }
 
 TEST_P(Slopes, FollowTheWrapModeIntoNeighbouringTiles) {
-    for (const textures::WrapMode wrap :
-         {textures::WrapMode::Repeat, textures::WrapMode::Mirror, textures::WrapMode::Clamp}) {
-        textures::DepthMap map = textures::generateSampleRelief("cobbles", 32, 16);
-        map.wrap = wrap;
-        RayScene scene = tiledScene(map);
-        const int width = 4 * map.width();
+    forEveryWrapMode("cobbles", 32, 16, [&](const textures::DepthMap& map, RayScene& scene) {
+        const int width = 4 * map.width();  // a pixel for each texel
         const int height = 4 * map.height();
         const MeasuredFrame frame = normalsOf(scene, GetParam()->source, 0.2f, width, height);
         for (int j = 0; j < height; ++j)
@@ -101,9 +105,9 @@ TEST_P(Slopes, FollowTheWrapModeIntoNeighbouringTiles) {
                 const glm::vec3 normal =
                     frame.pixels[static_cast<std::size_t>(j * width + i)].normal;
                 ASSERT_LT(angle(glm::dvec3(normal), centralNormal(map, i, j, 0.2)), 1e-4)
-                    << textures::wrapModeName(wrap) << " " << i << ", " << j;
+                    << i << ", " << j;
             }
-    }
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Sources, Slopes, testing::ValuesIn([] {
@@ -116,11 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Sources, Slopes, testing::ValuesIn([] {
 
 // Between the texels too: differences of interpolated depths are interpolated differences.
 TEST_F(Slopes, FromDepthsAreThoseOfTheDerivativeMap) {
-    for (const textures::WrapMode wrap :
-         {textures::WrapMode::Repeat, textures::WrapMode::Mirror, textures::WrapMode::Clamp}) {
-        textures::DepthMap map = textures::generateSampleRelief("bricks", 48, 32);
-        map.wrap = wrap;
-        RayScene scene = tiledScene(map);
+    forEveryWrapMode("bricks", 48, 32, [](const textures::DepthMap&, RayScene& scene) {
         const auto normals = [&](materials::SlopeSource source) {
             return normalsOf(scene, source, 0.2f, 211, 173).pixels;
         };
@@ -128,9 +128,8 @@ TEST_F(Slopes, FromDepthsAreThoseOfTheDerivativeMap) {
         const auto differences = normals(materials::SlopeSource::Height);
         for (std::size_t k = 0; k < mapped.size(); ++k)
             ASSERT_LT(angle(glm::dvec3(mapped[k].normal), glm::dvec3(differences[k].normal)), 1e-3)
-                << textures::wrapModeName(wrap) << " at " << mapped[k].hit.x << ", "
-                << mapped[k].hit.y;
-    }
+                << mapped[k].hit.x << ", " << mapped[k].hit.y;
+    });
 }
 
 // Stored normals that are taken for those of another scale are wrong at every scale but 0.
