@@ -27,6 +27,7 @@ viewer::View viewFrom(double elevation, const RenderBenchmarkOptions& options) {
                                        static_cast<float>(elevation), 1.0f);
     view.depthScale = static_cast<float>(options.depthScale);
     view.window = {-kUnbounded, -kUnbounded, kUnbounded, kUnbounded};
+    view.slopes = options.normals;
     return view;
 }
 
@@ -103,7 +104,10 @@ RenderReport measureRender(const RenderBenchmarkOptions& options) {
     commands::Progress progress("frames", options.samples.size() * options.elevations.size() *
                                               measurementsPerView(options));
     for (const std::string& sample : options.samples) {
-        SampleStages stages(sample, {options.size, options.frame, options.frame});
+        SampleStages stages(sample, {.size = options.size,
+                                     .width = options.frame,
+                                     .height = options.frame,
+                                     .slopes = options.normals});
         for (const double elevation : options.elevations) {
             const ExactView exact =
                 traceExactly(stages.of(materials::findTechnique("normal")), elevation, options);

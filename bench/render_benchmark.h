@@ -7,6 +7,7 @@
 #include "bench/gnuplot.h"
 #include "bench/report_table.h"
 #include "gl/context.h"
+#include "materials/slope_sources.h"
 #include "reference/error_metrics.h"
 #include "viewer/measured_frame.h"
 
@@ -25,7 +26,8 @@ struct RenderBenchmarkOptions {
     int frame = 301;
     int repeat = 3;  ///< runs of which the fastest counts
     double depthScale = 0.1;
-    double azimuth = 35.0;  ///< degrees
+    double azimuth = 35.0;                          ///< degrees
+    std::optional<materials::SlopeSource> normals;  ///< where slopes come from; none: derivatives
     gl::Backend backend = gl::Backend::OSMesa;
 };
 

@@ -8,6 +8,7 @@
 #include "commands/program.h"
 #include "materials/technique_registry.h"
 #include "textures/version.h"
+#include "viewer/view_options.h"
 
 namespace relievo::bench {
 
@@ -33,6 +34,7 @@ RenderCommand::RenderCommand(CLI::App& app)
         ->check(CLI::Range(1e-6, 1e3));
     add("--azimuth", options_.azimuth, "Degrees of the rays around the surface's normal")
         ->check(CLI::Range(-360.0, 360.0));
+    viewer::addNormalsOption(*command_, options_.normals, "derivative");
     addRepeatOption(*command_, options_.repeat);
     addBackendOption(*command_, options_.backend);
     command_->add_option("--plot-against", plotAgainst_, "Plot errors against time or fetches")
@@ -57,18 +59,22 @@ void RenderCommand::run() const {
     commands::answer(formatTable(table));
     std::vector<ReportSection> sections = summariseRender(report.measurements);
     sections.push_back({"Every relief", "On " + report.renderer + ".", table});
-    files.write({.json = {{"benchmark", "render"},
-                          {"version", textures::kVersion},
-                          {"renderer", report.renderer},
-                          {"size", options_.size},
-                          {"frame", options_.frame},
-                          {"depthScale", options_.depthScale},
-                          {"azimuth", options_.azimuth},
-                          {"repeat", options_.repeat},
-                          {"rows", rowsAsJson(table)}},
-                 .plot = renderPlot(report.measurements, plotAgainst_),
-                 .title = "relievo-bench render",
-                 .sections = std::move(sections)});
+    files.write(
+        {.json = {{"benchmark", "render"},
+                  {"version", textures::kVersion},
+                  {"renderer", report.renderer},
+                  {"size", options_.size},
+                  {"frame", options_.frame},
+                  {"depthScale", options_.depthScale},
+                  {"azimuth", options_.azimuth},
+                  {"normals", materials::slopeSourceEntry(
+                                  options_.normals.value_or(materials::SlopeSource::Derivative))
+                                  .name},
+                  {"repeat", options_.repeat},
+                  {"rows", rowsAsJson(table)}},
+         .plot = renderPlot(report.measurements, plotAgainst_),
+         .title = "relievo-bench render",
+         .sections = std::move(sections)});
 }
 
 }  // namespace relievo::bench

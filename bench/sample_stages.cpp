@@ -27,7 +27,11 @@ SampleStages::SampleStages(const std::string& sample, const StageSetting& settin
 
 SampleStage& SampleStages::of(const materials::Technique& technique,
                               const materials::ShadowMethod* shadow) {
-    const preprocess::ReliefPlan plan = planFor(technique, shadow);
+    preprocess::ReliefPlan plan = planFor(technique, shadow);
+    if (setting_.slopes)
+        if (const auto map = materials::slopeSourceEntry(*setting_.slopes).map;
+            !map.empty() && !plan.has(map))
+            plan.maps.emplace_back(map);
     const std::string key = preprocess::optionWords(plan);
     if (const auto found = stages_.find(key); found != stages_.end())
         return found->second;

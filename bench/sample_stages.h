@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gl/framebuffer.h"
@@ -26,6 +27,8 @@ struct StageSetting {
     int width = 301;  ///< of the frames, in pixels
     int height = 301;
     surfaces::Tiles tiles{1.0f};  ///< on a quad
+    /// Where slopes come from, whose map is baked as well; none: from the map of derivatives.
+    std::optional<materials::SlopeSource> slopes = {};
 };
 
 /// The least time in seconds of `repeat` ≥ 1 shaded frames, drawn to the stage's target.

@@ -102,14 +102,7 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
            "Direction towards the light: azimuth and elevation in degrees")
         ->type_name("AZ,EL")
         ->default_str("-50,40");
-    std::map<std::string, materials::SlopeSource> sources;
-    for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
-        sources.emplace(entry.name, entry.source);
-    app.add_option("--normals", options.normals,
-                   "Where slopes come from: the map of derivatives, stored normals (normal), or "
-                   "differences of depths (height); default the first of these that the file has")
-        ->transform(CLI::CheckedTransformer(sources).description(""))
-        ->type_name("derivative|normal|height");
+    addNormalsOption(app, options.normals, "the first of these that the file has");
 }
 
 void addShadowOptions(CLI::App& app, ViewOptions& options) {
@@ -122,6 +115,7 @@ void addShadowOptions(CLI::App& app, ViewOptions& options) {
                    "Degrees that the light spans in the sky, for soft shadows: 0 is a point, 0.5 "
                    "the sun")
         ->check(CLI::Range(0.0, 90.0))
+        ->each([&options](const std::string&) { options.dependentOptions.insert("light-size"); })
         ->capture_default_str();
 }
 
@@ -131,6 +125,7 @@ void addTextureOrValue(CLI::App& app, ViewOptions& options, const std::string& n
     app.add_option_function<std::string>(
            "--" + name,
            [&options, &value, name](const std::string& text) {
+               options.dependentOptions.insert(name);
                float number = 0.0f;
                const auto [end, error] =
                    std::from_chars(text.data(), text.data() + text.size(), number);
@@ -267,17 +262,17 @@ bool hasShadowParameter(const ViewOptions& options, const ParameterSetting& sett
 
 void checkShading(const ViewOptions& options) {
     const auto given = [&](const char* name) { return options.textures.contains(name); };
-    const auto check = [&](const char* name, float value, float usual) {
+    const auto check = [&](const char* name, float value) {
         if (!(value >= 0.0f && value <= 1.0f))
             throw UsageError(fmt::format("--{} {}: expected a file or 0 to 1", name, value));
-        const bool isSet = given(name) || value != usual;
+        const bool isSet = options.dependentOptions.contains(name);
         if (isSet && options.shading.model != materials::ShadingModel::Microfacet)
             throw UsageError(fmt::format("--{} belongs to --shading microfacet", name));
         if (isSet && given("orm"))
             throw UsageError(fmt::format("--orm holds the {} already", name));
     };
-    check("roughness", options.shading.roughness, materials::Shading().roughness);
-    check("metalness", options.shading.metalness, materials::Shading().metalness);
+    check("roughness", options.shading.roughness);
+    check("metalness", options.shading.metalness);
     if (given("orm") && (given("occlusion") || options.bakedOcclusion))
         throw UsageError("--orm holds the occlusion already");
 }
@@ -304,6 +299,19 @@ void checkParameters(const ViewOptions& options) {
 }
 
 }  // namespace
+
+void addNormalsOption(CLI::App& app, std::optional<materials::SlopeSource>& normals,
+                      const std::string& standard) {
+    std::map<std::string, materials::SlopeSource> sources;
+    for (const materials::SlopeSourceEntry& entry : materials::slopeSources())
+        sources.emplace(entry.name, entry.source);
+    app.add_option("--normals", normals,
+                   "Where slopes come from: the map of derivatives, stored normals (normal), or "
+                   "differences of depths (height); default " +
+                       standard)
+        ->transform(CLI::CheckedTransformer(sources).description(""))
+        ->type_name("derivative|normal|height");
+}
 
 void addViewOptions(CLI::App& app, ViewOptions& options) {
     app.add_option("FILE", options.files, "Map files made by relievo-bake relief");
@@ -354,6 +362,8 @@ void checkViewOptions(const ViewOptions& options) {
     checkTechniques(options);
     if (options.shadow != kNoShadow)
         materials::findShadowMethod(options.shadow);
+    else if (options.dependentOptions.contains("light-size"))
+        throw UsageError("--light-size is that of soft shadows, expected --shadow as well");
     checkShading(options);
     checkErrorOutput(options);
     checkParameters(options);

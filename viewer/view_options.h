@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct ViewOptions {
     materials::Shading shading;
     /// Pictures by the names of materials::surfaceTextureFormats().
     std::map<std::string, std::filesystem::path> textures;
+    /// Those of --roughness, --metalness and --light-size that the command line has: alone they
+    /// would do nothing.
+    std::set<std::string> dependentOptions;
     bool bakedOcclusion = false;      ///< take the occlusion of the map file
     std::optional<int> level;         ///< the MIP level for all pixels; none: each its own
     int rays = 1;                     ///< the most rays in a pixel
@@ -68,6 +72,11 @@ struct ViewOptions {
 
 /// The name of the exact picture in --technique and --compare.
 inline constexpr std::string_view kReferenceName = "reference";
+
+/// Adds `--normals`: where slopes come from. `standard` tells the help what they do by default, when
+/// `normals` stays empty.
+void addNormalsOption(CLI::App& app, std::optional<materials::SlopeSource>& normals,
+                      const std::string& standard);
 
 /// Adds the options of relievo-view to `app`; parsing fills `options`.
 void addViewOptions(CLI::App& app, ViewOptions& options);

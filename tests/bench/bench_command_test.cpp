@@ -214,6 +214,26 @@ TEST(BenchRender, BudgetsGoAsFarAsTheTechniqueDoes) {
     EXPECT_EQ(parseTable(result.output).size(), 1u + 1 + 2);
 }
 
+// Differences of depths take four lookups and give the picture of the derivatives, which are
+// filtered differences of depths; normals are theirs up to what 128² texels resolve.
+TEST(BenchRender, NormalsComeFromWhereTheyAreAskedFor) {
+    const auto normalErrors = [](const std::string& source) {
+        const ScratchFolder folder;
+        const ProcessResult result =
+            bench(kSmallRender + Words{"--techniques", "cone", "--steps", "64", "--normals", source,
+                                       "--json", folder.file("render.json")});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        const auto report = nlohmann::json::parse(readBytes(folder.file("render.json")));
+        EXPECT_EQ(report.at("normals"), source);
+        return report.at("rows").at(0).at("meanNormalDegrees").get<double>();
+    };
+    const double derivative = normalErrors("derivative");
+    EXPECT_NEAR(normalErrors("height"), derivative, 1e-3);
+    // Interpolated normals are not quite those of interpolated slopes, and no others either.
+    EXPECT_NEAR(normalErrors("normal"), derivative, 0.5);
+    EXPECT_NE(normalErrors("normal"), derivative);
+}
+
 TEST(BenchRender, BackEndsAgreeOnAllButTime) {
     const auto withoutTimes = [](const char* backend) {
         const ProcessResult result = bench(kSmallRender + Words{"--backend", backend});
@@ -353,6 +373,7 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"render", "--elevations", "0"},
         {"render", "--steps", "0"},
         {"render", "--backend", "vulkan"},
+        {"render", "--normals", "none"},
         {"render", "--plot-against", "luck"},
         {"shadow", "--methods", "magic"},
         {"shadow", "--technique", "parallax"},
@@ -394,7 +415,7 @@ TEST(Bench, AMissingGnuplotFailsBeforeTheWork) {
 TEST(Bench, AnInterruptLeavesNoFile) {
     const ScratchFolder folder;
     ProcessOptions options;
-    options.signalWhen = [&] { return !folder.list().empty(); };
+    options.signalWhen = [&](const std::string&) { return !folder.list().empty(); };
     const ProcessResult result =
         bench({"bake", "--sizes", "512", "--repeat", "1000", "--json", folder.file("bake.json")},
               options);

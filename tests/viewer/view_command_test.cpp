@@ -119,12 +119,23 @@ TEST_F(ViewCommandTest, TexturesThatDoNotFitAreRefused) {
     const std::array planes = {textures::Plane(2, 2, 0.25f)};
     textures::writePicture(grey, planes, textures::StorageFormat::U8);
     expectFailure(render(map(), picture, {"--roughness", "0.2"}), 2, "--shading microfacet");
+    // The usual value as well.
+    expectFailure(render(map(), picture, {"--roughness", "0.5"}), 2, "--shading microfacet");
+    expectFailure(render(map(), picture, {"--metalness", grey}), 2, "--shading microfacet");
     expectFailure(render(map(), picture, {"--shading", "microfacet", "--metalness", "2"}), 2,
                   "0 to 1");
     expectFailure(render(map(), picture, {"--orm", grey, "--occlusion", grey}), 2, "--orm");
     expectFailure(render(map(), picture, {"--orm", grey}), 1, "grey.png: too few channels (1)");
     expectFailure(render(map(), picture, {"--occlusion", "baked"}), 1, "\"occlusion\"");
     expectFailure(render(map(), picture, {"--occlusion", inputs_.file("none.png")}), 1, "none.png");
+}
+
+TEST_F(ViewCommandTest, ALightHasNoSizeWithoutShadows) {
+    const std::string picture = outputs_.file("x.png");
+    expectFailure(render(map(), picture, {"--light-size", "8"}), 2, "--shadow");
+    const ProcessResult result =
+        render(map(), picture, {"--light-size", "8", "--shadow", "soft", "--technique", "relief"});
+    EXPECT_EQ(result.exitStatus, 0) << result.errors;
 }
 
 TEST_F(ViewCommandTest, NormalsThatTheFileLacksAreRefused) {
@@ -268,9 +279,11 @@ TEST_F(ViewCommandTest, AFullDiskLeavesNothing) {
 }
 
 TEST_F(ViewCommandTest, AnInterruptedRunLeavesNoHalfFile) {
-    // Long after the start even on a busy machine, and far less than the work takes.
+    // The map is read, and the first of the pictures alone takes minutes.
     ProcessOptions options;
-    options.signalAfter = std::chrono::seconds(4);
+    options.signalWhen = [](const std::string& output) {
+        return output.find(": 32x32, ") != std::string::npos;
+    };
     options.signal = SIGINT;
     const ProcessResult result =
         run({map(), "--headless", "-o", outputs_.file("a.png"), "--size", "4096x4096", "--compare",
