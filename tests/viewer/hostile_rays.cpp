@@ -88,12 +88,20 @@ HostileRays drawRays(int count) {
     return rays;
 }
 
-// A quad whose every pixel is another ray. Those that begin below the reference surface are made
-// here: what a renderer calls, traceRelief, has them begin on it.
-constexpr const char* kFragment = R"glsl(
-#include "relievo/material.glsl"
+// A quad whose every pixel is another ray.
+constexpr const char* kRays = R"glsl(
 uniform sampler2D placeMap;
 uniform sampler2D viewMap;
+
+ReliefSurface hostileSurface(vec2 uv) {
+    return ReliefSurface(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0),
+                         vec3(0.0, -reliefAspect(), 0.0), uv);
+}
+)glsl";
+
+// Those that begin below the reference surface are made here: what a renderer calls, traceRelief,
+// has them begin on it.
+constexpr const char* kSearch = R"glsl(
 layout(location = RELIEVO_OUTPUT_HIT) out vec4 hitOutput;
 layout(location = RELIEVO_OUTPUT_WORK) out vec4 workOutput;
 layout(location = RELIEVO_OUTPUT_ORIGIN) out vec4 originOutput;
@@ -111,9 +119,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 place = texelFetch(placeMap, pixel, 0).xyz;
     vec3 view = texelFetch(viewMap, pixel, 0).xyz;
-    ReliefSurface surface =
-        ReliefSurface(vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0),
-                      vec3(0.0, -reliefAspect(), 0.0), place.xy);
+    ReliefSurface surface = hostileSurface(place.xy);
     ReliefFragment relief;
     if (place.z > 0.0) {
         relief.ray = insideRay(surface, view, place.z);
@@ -133,6 +139,40 @@ void main() {
     normalOutput = vec4(relief.tileNormal, 0.0);
 }
 )glsl";
+
+constexpr const char* kLight = R"glsl(
+uniform float lightRadius;
+layout(location = RELIEVO_OUTPUT_WORK) out vec4 workOutput;
+layout(location = RELIEVO_OUTPUT_ORIGIN) out vec4 originOutput;
+layout(location = RELIEVO_OUTPUT_LIGHT) out vec4 lightOutput;
+layout(location = RELIEVO_OUTPUT_LIFT) out vec4 liftOutput;
+layout(location = RELIEVO_OUTPUT_SIDE) out vec4 sideOutput;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 place = texelFetch(placeMap, pixel, 0).xyz;
+    vec3 toLight = -texelFetch(viewMap, pixel, 0).xyz;
+    ReliefLight light =
+        makeReliefLight(hostileSurface(place.xy), place, toLight, lightRadius);
+    float share = reliefVisibility(light);
+    workOutput = vec4(0.0, 0.0, 0.0, 1.0);
+    originOutput = vec4(place, 0.0);
+    lightOutput = vec4(light.direction, share);
+    liftOutput = vec4(light.lift, float(reliefFetchCount));
+    sideOutput = vec4(light.side, 0.0);
+}
+)glsl";
+
+gl::Program programOf(const materials::ReliefMaterial& material,
+                      const std::vector<std::string_view>& files, const char* body) {
+    std::string text;
+    for (const std::string_view file : files)
+        text += "#include \"" + std::string(file) + "\"\n";
+    text += kRays;
+    text += body;
+    return gl::tests::fullScreenProgram(
+        shaders::expandShader("hostile rays", text, "#version 450 core", material.defines()).text);
+}
 
 gl::Texture uploaded(const std::vector<float>& values, int size) {
     gl::Texture texture(size, size, GL_RGB32F);
@@ -177,7 +217,16 @@ HostileFrame::HostileFrame(int size) : target_(makeMeasuredTarget(size, size)) {
 
 MeasuredFrame HostileFrame::search(const materials::ReliefMaterial& material,
                                    gl::Program& program) {
-    const GLuint unit = material.bind(program.id());
+    return draw(program, material.bind(program.id()));
+}
+
+MeasuredFrame HostileFrame::light(const materials::ReliefMaterial& material, gl::Program& program,
+                                  float radius) {
+    program.set("lightRadius", radius);
+    return draw(program, material.bindSearch(program.id()));
+}
+
+MeasuredFrame HostileFrame::draw(gl::Program& program, GLuint unit) {
     program.set("placeMap", static_cast<int>(unit));
     program.set("viewMap", static_cast<int>(unit) + 1);
     places_.bind(unit);
@@ -193,10 +242,11 @@ MeasuredFrame HostileFrame::search(const materials::ReliefMaterial& material,
 }
 
 gl::Program hostileProgram(const materials::ReliefMaterial& material) {
-    const std::string text =
-        "#include \"" + std::string(material.technique().file) + "\"\n" + kFragment;
-    return gl::tests::fullScreenProgram(
-        shaders::expandShader("hostile rays", text, "#version 450 core", material.defines()).text);
+    return programOf(material, {material.technique().file, "relievo/material.glsl"}, kSearch);
+}
+
+gl::Program hostileLightProgram(const materials::ReliefMaterial& material) {
+    return programOf(material, material.files(), kLight);
 }
 
 }  // namespace relievo::viewer

@@ -49,7 +49,16 @@ class HostileFrame {
     /// material with the same technique and maps.
     MeasuredFrame search(const materials::ReliefMaterial& material, gl::Program& program);
 
+    /// What the material's shadow method answers of light that comes against each ray to the point
+    /// of the relief where that begins: `light`, `lift`, `side`, `lightShare` and `shadowFetches`,
+    /// with the point as `origin`. The light spans `radius` radians to each side. Rays that rise
+    /// stand for light from below. `program` is hostileLightProgram of such a material.
+    MeasuredFrame light(const materials::ReliefMaterial& material, gl::Program& program,
+                        float radius);
+
   private:
+    MeasuredFrame draw(gl::Program& program, GLuint unit);
+
     gl::Texture places_;
     gl::Texture views_;
     gl::Framebuffer target_;
@@ -57,5 +66,8 @@ class HostileFrame {
 
 /// The program that searches hostile rays with a material's technique.
 gl::Program hostileProgram(const materials::ReliefMaterial& material);
+
+/// The program that lights the relief by a material's shadow method, which must not be null.
+gl::Program hostileLightProgram(const materials::ReliefMaterial& material);
 
 }  // namespace relievo::viewer
