@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include "bench/benchmark_options.h"
+#include "bench/shading_sheet.h"
+#include "bench/shadow_sheet.h"
+#include "bench/technique_sheet.h"
 #include "commands/program.h"
 #include "materials/technique_registry.h"
 #include "textures/sample_reliefs.h"
@@ -12,10 +15,18 @@ namespace relievo::bench {
 
 SheetCommand::SheetCommand(CLI::App& app)
     : command_(app.add_subcommand(
-          "sheet", "A sheet of pictures: one view by every search technique and the exact hits")) {
+          "sheet",
+          "A sheet of pictures: one view by every search technique, shadow method or shading")) {
+    command_
+        ->add_option("--of", subject_,
+                     "What differs from picture to picture: techniques, shadows, or shading and "
+                     "depth scale")
+        ->check(CLI::IsMember({"techniques", "shadows", "shading"}).description(""))
+        ->type_name("NAME")
+        ->capture_default_str();
     for (const materials::Technique& technique : materials::techniques())
-        options_.techniques.emplace_back(technique.name);
-    addNamesOption(*command_, "--techniques", options_.techniques, "Search techniques");
+        techniques_.emplace_back(technique.name);
+    addNamesOption(*command_, "--techniques", techniques_, "Search techniques");
     std::vector<std::string> samples;
     for (const textures::SampleRelief& sample : textures::sampleReliefs())
         samples.emplace_back(sample.name);
@@ -42,13 +53,30 @@ SheetCommand::SheetCommand(CLI::App& app)
     command_->footer(
         "Examples:\n"
         "  relievo-bench sheet -o sheet.png\n"
+        "  relievo-bench sheet --of shadows --elevation 40 --columns 3 -o shadows.png\n"
         "  relievo-bench sheet --sample bricks --techniques relief,cone,exact --columns 2 -o "
         "b.png");
 }
 
+void SheetCommand::checkOptions() const {
+    std::vector<std::string> useless;
+    if (subject_ != "techniques")
+        useless.emplace_back("--techniques");
+    if (subject_ == "shading")
+        useless.insert(useless.end(), {"--columns", "--depth-scale"});
+    for (const std::string& option : useless)
+        if (command_->count(option) > 0)
+            throw commands::UsageError(
+                fmt::format("{} does nothing for a sheet of {}", option, subject_));
+}
+
 void SheetCommand::run() const {
+    checkOptions();
     viewer::requirePictureFile(output_);
-    viewer::writePicture(output_, makeTechniqueSheet(options_));
+    viewer::writePicture(output_, subject_ == "shadows" ? makeShadowSheet(options_)
+                                  : subject_ == "shading"
+                                      ? makeShadingSheet(options_)
+                                      : makeTechniqueSheet(options_, techniques_));
     commands::say(fmt::format("wrote {}", output_.string()));
 }
 

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "bench/technique_sheet.h"
+#include "bench/sheet_view.h"
 
 namespace relievo::bench {
 
@@ -21,8 +21,13 @@ class SheetCommand {
     void run() const;
 
   private:
+    /// Throws commands::UsageError for an option that does nothing for this sheet.
+    void checkOptions() const;
+
     CLI::App* command_;
-    TechniqueSheetOptions options_;
+    std::string subject_ = "techniques";
+    SheetOptions options_;
+    std::vector<std::string> techniques_;
     std::filesystem::path output_;
 };
 

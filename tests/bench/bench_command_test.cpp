@@ -320,6 +320,24 @@ TEST(BenchSheet, HasAPictureForEveryTechniqueAndTheExactOne) {
     EXPECT_GE(tall, 3 * 48);
 }
 
+TEST(BenchSheet, ShowsShadowsAndShadingToo) {
+    const ScratchFolder folder;
+    const auto sheet = [&](const Words& words) {
+        const ProcessResult result =
+            bench(Words{"sheet", "--sample", "blocks", "--size", "32", "--width", "96", "--height",
+                        "64", "-o", folder.file("sheet.png")} +
+                  words);
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        return readBytes(folder.file("sheet.png"));
+    };
+    const std::string shadows = sheet({"--of", "shadows", "--elevation", "40", "--columns", "3"});
+    const auto planes = textures::readPicture(folder.file("sheet.png"));
+    EXPECT_GE(planes.at(0).width, 3 * 96);
+    EXPECT_GE(planes.at(0).height, 2 * 64);
+    EXPECT_NE(sheet({"--of", "shading"}), shadows);
+    EXPECT_GE(textures::readPicture(folder.file("sheet.png")).at(0).height, 3 * 64);
+}
+
 TEST(BenchSearch, WritesJsonAndPlot) {
     const ScratchFolder folder;
     const ProcessResult result = bench(
@@ -380,6 +398,9 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"shadow", "--light-sizes", "-1"},
         {"shadow", "--elevations", "0"},
         {"sheet"},
+        {"sheet", "--of", "magic", "-o", folder.file("sheet.png")},
+        {"sheet", "--of", "shading", "--columns", "2", "-o", folder.file("sheet.png")},
+        {"sheet", "--of", "shadows", "--techniques", "relief", "-o", folder.file("sheet.png")},
         {"sheet", "--sample", "mountains", "-o", folder.file("sheet.png")},
         {"sheet", "--elevation", "0", "-o", folder.file("sheet.png")},
     };
