@@ -43,6 +43,10 @@ class ComparisonFrame {
     /// The picture, in attachment 0.
     [[nodiscard]] const gl::Framebuffer& picture() const noexcept { return picture_; }
     [[nodiscard]] const std::array<PaneReadings, 2>& readings() const noexcept { return readings_; }
+    /// How many MIP levels the maps of a file have, the first one counted.
+    [[nodiscard]] int levelCount(std::size_t file) const {
+        return reliefs_.at(file).renderer->levelCount();
+    }
     /// Where pane B begins in the picture, in pixels from its left.
     [[nodiscard]] int secondPaneStart() const noexcept { return secondStart_; }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "materials/shadow_registry.h"
 #include "viewer/imgui_session.h"
@@ -31,6 +32,17 @@ void heading(const char* text) {
     ImGui::Dummy({0.0f, 2.0f});
     ImGui::TextColored(kQuiet, "%s", text);
     ImGui::Separator();
+}
+
+// A heading that hides what is below it when it is clicked. Returns whether that is shown.
+bool section(const char* text, ImGuiTreeNodeFlags flags = 0) {
+    ImGui::Dummy({0.0f, 2.0f});
+    ImGui::PushStyleColor(ImGuiCol_Text, kQuiet);
+    const bool isOpen = ImGui::TreeNodeEx(
+        text, flags | ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+    ImGui::PopStyleColor();
+    ImGui::Separator();
+    return isOpen;
 }
 
 void techniqueList(const char* label, const char* id, std::string& technique) {
@@ -61,7 +73,7 @@ void comparisonModes(WindowSettings& settings) {
     }
 }
 
-void parameterSlider(ViewOptions& options, const materials::Technique& technique,
+void parameterSlider(ViewOptions& options, std::string_view technique,
                      const materials::TechniqueParameter& parameter) {
     const double before = parameterValue(options, technique, parameter);
     double after = before;
@@ -102,7 +114,7 @@ void parameterSliders(ViewOptions& options, const std::string& name) {
     heading(technique.title.data());
     ImGui::PushID(technique.name.data());
     for (const materials::TechniqueParameter& parameter : technique.parameters)
-        parameterSlider(options, technique, parameter);
+        parameterSlider(options, technique.name, parameter);
     ImGui::PopID();
 }
 
@@ -150,8 +162,49 @@ void shadowList(ViewOptions& options) {
     ImGui::EndCombo();
 }
 
+bool slider(const char* name, float& value, float least, float most, const char* format,
+            ImGuiSliderFlags flags = 0) {
+    ImGui::SetNextItemWidth(kSliderWidth);
+    return ImGui::SliderFloat(name, &value, least, most, format, flags);
+}
+
+void sceneControls(WindowSettings& settings) {
+    if (!section("scene", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    ViewOptions& options = settings.options;
+    fileList(settings);
+    if (slider("depth scale", options.depthScale, 0.0f, 0.5f, "%.3f"))
+        options.depthScale = std::clamp(options.depthScale, 0.0f, 1000.0f);
+    ImGui::SetNextItemWidth(kSliderWidth);
+    ImGui::SliderFloat2("tiles u, v", &options.tiles.x, 0.25f, 16.0f, "%.2f",
+                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    int object = static_cast<int>(options.object);
+    ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
+    ImGui::SameLine(kPanelWidth / 2.0f);
+    ImGui::RadioButton("box", &object, static_cast<int>(ObjectKind::Box));
+    options.object = static_cast<ObjectKind>(object);
+}
+
+void lightControls(ViewOptions& options) {
+    if (!section("light and shadows", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    slider("light azimuth", options.light.x, -180.0f, 180.0f, "%.0f°");
+    slider("light elevation", options.light.y, 0.0f, 90.0f, "%.0f°");
+    shadowList(options);
+    // The light has a size, and the method parameters, only where there are shadows.
+    if (options.shadow == kNoShadow)
+        return;
+    slider("light size", options.lightSize, 0.0f, 30.0f, "%.1f°");
+    for (const materials::TechniqueParameter& parameter :
+         materials::findShadowMethod(options.shadow).parameters)
+        parameterSlider(options, "", parameter);
+}
+
 void shadingControls(ViewOptions& options) {
     using materials::ShadingModel;
+    if (!section("shading"))
+        return;
+    slopeList(options);
     int model = static_cast<int>(options.shading.model);
     ImGui::RadioButton("Blinn–Phong", &model, static_cast<int>(ShadingModel::BlinnPhong));
     ImGui::SameLine(kPanelWidth / 2.0f);
@@ -159,40 +212,32 @@ void shadingControls(ViewOptions& options) {
     options.shading.model = static_cast<ShadingModel>(model);
     if (options.shading.model != ShadingModel::Microfacet || options.textures.contains("orm"))
         return;
-    const auto slider = [&](const char* name, float& value) {
-        ImGui::SetNextItemWidth(kSliderWidth);
+    const auto share = [&](const char* name, float& value) {
         if (!options.textures.contains(name))
-            ImGui::SliderFloat(name, &value, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+            slider(name, value, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
     };
-    slider("roughness", options.shading.roughness);
-    slider("metalness", options.shading.metalness);
+    share("roughness", options.shading.roughness);
+    share("metalness", options.shading.metalness);
 }
 
-void sceneControls(WindowSettings& settings) {
-    ViewOptions& options = settings.options;
-    heading("scene");
-    fileList(settings);
+// Left of the finest level the slider says auto.
+void levelSlider(ViewOptions& options, int levelCount) {
+    constexpr int kAuto = -1;
+    int level = options.level ? std::min(*options.level, levelCount - 1) : kAuto;
     ImGui::SetNextItemWidth(kSliderWidth);
-    if (ImGui::SliderFloat("depth scale", &options.depthScale, 0.0f, 0.5f, "%.3f"))
-        options.depthScale = std::clamp(options.depthScale, 0.0f, 1000.0f);
+    if (ImGui::SliderInt("MIP level", &level, kAuto, levelCount - 1, level == kAuto ? "auto" : "%d",
+                         ImGuiSliderFlags_AlwaysClamp))
+        options.level = level == kAuto ? std::nullopt : std::optional(level);
+}
+
+void pixelControls(ViewOptions& options, int levelCount) {
+    if (!section("pixels"))
+        return;
     ImGui::SetNextItemWidth(kSliderWidth);
-    ImGui::SliderFloat2("tiles u, v", &options.tiles.x, 0.25f, 16.0f, "%.2f",
-                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    ImGui::SetNextItemWidth(kSliderWidth);
-    ImGui::SliderFloat("light azimuth", &options.light.x, -180.0f, 180.0f, "%.0f°");
-    ImGui::SetNextItemWidth(kSliderWidth);
-    ImGui::SliderFloat("light elevation", &options.light.y, 0.0f, 90.0f, "%.0f°");
-    slopeList(options);
-    shadowList(options);
-    ImGui::SetNextItemWidth(kSliderWidth);
-    ImGui::SliderFloat("light size", &options.lightSize, 0.0f, 30.0f, "%.1f°");
-    shadingControls(options);
-    int object = static_cast<int>(options.object);
-    ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
-    ImGui::SameLine();
-    ImGui::RadioButton("box", &object, static_cast<int>(ObjectKind::Box));
-    options.object = static_cast<ObjectKind>(object);
-    ImGui::SameLine(kPanelWidth / 2.0f);
+    ImGui::SliderInt("most rays", &options.rays, 1, kMostRays, "%d",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (levelCount > 1)
+        levelSlider(options, levelCount);
     ImGui::Checkbox("mark exhausted", &options.markExhausted);
 }
 
@@ -304,6 +349,9 @@ PanelActions drawControlPanel(WindowSettings& settings, const PanelReport& repor
     if (showsSecond(settings) && settings.techniqueB != settings.techniqueA)
         parameterSliders(settings.options, settings.techniqueB);
     sceneControls(settings);
+    lightControls(settings.options);
+    shadingControls(settings.options);
+    pixelControls(settings.options, report.levelCount);
     readingsTable(settings, report);
     ImGui::Dummy({0.0f, 2.0f});
     actions.save = ImGui::Button("Save picture");

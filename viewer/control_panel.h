@@ -26,6 +26,7 @@ WindowPoint techniqueEntryCenter(int index);
 /// What the panel shows besides the settings.
 struct PanelReport {
     const std::array<PaneReadings, 2>& readings;
+    int levelCount = 1;      ///< MIP levels of the file that is shown
     bool isTracing = false;  ///< exact hits are on their way
     float progress = 0.0f;   ///< of tracing, in [0,1]
     std::string message;     ///< about the last picture saved, or empty

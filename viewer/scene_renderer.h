@@ -61,6 +61,8 @@ class SceneRenderer {
 
     [[nodiscard]] const textures::DepthMap& depthMap() const noexcept { return depthMap_; }
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return reliefMaps_->maps(); }
+    /// How many MIP levels the relief has, the first one counted.
+    [[nodiscard]] int levelCount() const noexcept { return reliefMaps_->levelCount(); }
 
   private:
     /// The surface made of `material`, which takes what the view says of it.

@@ -18,7 +18,6 @@ namespace {
 using commands::UsageError;
 
 constexpr int kMostLevels = 30;
-constexpr int kMostRays = 64;
 
 double parseNumber(std::string_view text, std::string_view option) {
     double value = 0.0;

@@ -22,6 +22,9 @@ namespace relievo::viewer {
 /// Names no shadow method in --shadow.
 inline constexpr const char* kNoShadow = "none";
 
+/// The most that --rays takes.
+inline constexpr int kMostRays = 64;
+
 /// The object that carries the relief.
 enum class ObjectKind { Quad, Box };
 

@@ -264,9 +264,11 @@ class ViewWindow {
         if (!panelIsShown_)
             return;
         const float depthScale = settings_.options.depthScale;
-        const PanelActions actions = drawControlPanel(
-            settings_, {frame_.readings(), exact_.isTracing(), exact_.progress(), message_},
-            height);
+        const PanelActions actions =
+            drawControlPanel(settings_,
+                             {frame_.readings(), frame_.levelCount(settings_.file),
+                              exact_.isTracing(), exact_.progress(), message_},
+                             height);
         // Who takes hold of the depth scale wants it where it was put.
         if (settings_.options.depthScale != depthScale)
             animation_.reset();

@@ -37,22 +37,22 @@ bool needsReference(const WindowSettings& settings) {
            (showsSecond(settings) && settings.techniqueB == kReferenceName);
 }
 
-double parameterValue(const ViewOptions& options, const materials::Technique& technique,
+double parameterValue(const ViewOptions& options, std::string_view technique,
                       const materials::TechniqueParameter& parameter) {
     double value = parameter.defaultValue;
     for (const ParameterSetting& setting : options.parameters)
         if (setting.name == parameter.name &&
-            (setting.technique.empty() || setting.technique == technique.name))
+            (setting.technique.empty() || setting.technique == technique))
             value = setting.value;
     return value;
 }
 
-void setParameterValue(ViewOptions& options, const materials::Technique& technique,
+void setParameterValue(ViewOptions& options, std::string_view technique,
                        const materials::TechniqueParameter& parameter, double value) {
     std::erase_if(options.parameters, [&](const ParameterSetting& setting) {
-        return setting.technique == technique.name && setting.name == parameter.name;
+        return setting.technique == technique && setting.name == parameter.name;
     });
-    options.parameters.push_back({std::string(technique.name), std::string(parameter.name), value});
+    options.parameters.push_back({std::string(technique), std::string(parameter.name), value});
 }
 
 }  // namespace relievo::viewer

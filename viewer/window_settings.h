@@ -52,13 +52,13 @@ bool showsSecond(const WindowSettings& settings);
 /// Whether the picture or its readings need the exact hits.
 bool needsReference(const WindowSettings& settings);
 
-/// The value of a technique's parameter under `options`: the last of options.parameters that
-/// concerns it, or the default.
-double parameterValue(const ViewOptions& options, const materials::Technique& technique,
+/// The value under `options` of a parameter of the technique of that name, "" for one of the shadow
+/// method: the last of options.parameters that concerns it, or the default.
+double parameterValue(const ViewOptions& options, std::string_view technique,
                       const materials::TechniqueParameter& parameter);
 
 /// Makes `value` the one that parameterValue returns, without changing other techniques.
-void setParameterValue(ViewOptions& options, const materials::Technique& technique,
+void setParameterValue(ViewOptions& options, std::string_view technique,
                        const materials::TechniqueParameter& parameter, double value);
 
 }  // namespace relievo::viewer

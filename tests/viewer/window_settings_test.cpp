@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "materials/shadow_registry.h"
+
 namespace relievo::viewer {
 namespace {
 
@@ -50,19 +52,33 @@ TEST(WindowSettings, ASliderChangesItsTechniqueOnly) {
     const materials::Technique& linear = materials::findTechnique("linear");
     const materials::Technique& relief = materials::findTechnique("relief");
     const auto steps = [&](const materials::Technique& technique) {
-        return parameterValue(options, technique,
+        return parameterValue(options, technique.name,
                               materials::findParameter(technique, "linear-steps"));
     };
     EXPECT_EQ(steps(linear), 100);
     EXPECT_EQ(steps(relief), 100);
     for (const double value : {7.0, 9.0}) {
-        setParameterValue(options, relief, materials::findParameter(relief, "linear-steps"), value);
+        setParameterValue(options, relief.name, materials::findParameter(relief, "linear-steps"),
+                          value);
         EXPECT_EQ(steps(relief), value);
         EXPECT_EQ(steps(linear), 100);
     }
     EXPECT_EQ(options.parameters.size(), 2u) << "dragging a slider must not pile up settings";
     options.parameters.clear();
     EXPECT_EQ(steps(linear), materials::findParameter(linear, "linear-steps").defaultValue);
+}
+
+// Like `--set NAME=VALUE`: the shadow method is that of both techniques.
+TEST(WindowSettings, ASliderOfTheShadowMethodIsThatOfNoTechnique) {
+    ViewOptions options = optionsFor({"relief"});
+    const materials::TechniqueParameter& slices =
+        *materials::budgetParameter(materials::findShadowMethod("soft"));
+    EXPECT_EQ(parameterValue(options, "", slices), slices.defaultValue);
+    options.parameters = {{"relief", std::string(slices.name), 9.0}};
+    EXPECT_EQ(parameterValue(options, "", slices), slices.defaultValue);
+    setParameterValue(options, "", slices, 2.0);
+    EXPECT_EQ(parameterValue(options, "", slices), 2.0);
+    EXPECT_EQ(options.parameters.back(), (ParameterSetting{"", std::string(slices.name), 2.0}));
 }
 
 }  // namespace
