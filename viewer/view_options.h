@@ -76,8 +76,8 @@ struct ViewOptions {
 /// The name of the exact picture in --technique and --compare.
 inline constexpr std::string_view kReferenceName = "reference";
 
-/// Adds `--normals`: where slopes come from. `standard` tells the help what they do by default, when
-/// `normals` stays empty.
+/// Adds `--normals`: where slopes come from. `standard` tells the help what they do by default,
+/// when `normals` stays empty.
 void addNormalsOption(CLI::App& app, std::optional<materials::SlopeSource>& normals,
                       const std::string& standard);
 
