@@ -48,8 +48,9 @@ void addReportOptions(CLI::App& command, ReportPaths& paths) {
         ->type_name("FILE");
     command.add_option("--markdown", paths.markdown, "Write tables to this file as Markdown")
         ->type_name("FILE.md");
-    command.add_option("--plot", paths.plot, "Draw the report to this SVG file, with gnuplot")
-        ->type_name("FILE.svg");
+    command
+        .add_option("--plot", paths.plot, "Draw the report to this SVG or PNG file, with gnuplot")
+        ->type_name("FILE.svg|FILE.png");
 }
 
 }  // namespace relievo::bench

@@ -102,7 +102,16 @@ void requireGnuplot() {
             "--plot needs the program gnuplot, which cannot be run (Debian package gnuplot-nox)");
 }
 
-std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output) {
+std::optional<PlotFormat> plotFormatOf(const std::filesystem::path& file) {
+    if (file.extension() == ".svg")
+        return PlotFormat::Svg;
+    if (file.extension() == ".png")
+        return PlotFormat::Png;
+    return std::nullopt;
+}
+
+std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output,
+                          PlotFormat format) {
     const std::vector<std::string> names = seriesNames(plot);
     const bool hasLegend = plot.hasLegend && !names.empty();
     const auto panels =
@@ -111,14 +120,15 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output)
     const int columns = plot.columns > 0 ? plot.columns : square;
     const int rows = (panels + columns - 1) / columns;
     std::string script = fmt::format(
-        "set terminal svg noenhanced size {},{} background 'white' font 'sans,11'\n"
+        "set terminal {} noenhanced size {},{} background 'white' font 'sans,{}'\n"
         "set output {}\n"
         "set multiplot layout {},{} title {}\n"
         "set logscale x {}\nset logscale y\nset grid\nset key {} font ',9'\n"
         "set format '%g'\nset xlabel {}\nset ylabel {}\n",
-        columns * kPanelWidth, rows * kPanelHeight + kTitleHeight, quoted(output.string()), rows,
-        columns, quoted(plot.title), plot.xLogarithmBase, plot.keyPosition, quoted(plot.xLabel),
-        quoted(plot.yLabel));
+        format == PlotFormat::Svg ? "svg" : "pngcairo", columns * kPanelWidth,
+        rows * kPanelHeight + kTitleHeight, format == PlotFormat::Svg ? 11 : 9,
+        quoted(output.string()), rows, columns, quoted(plot.title), plot.xLogarithmBase,
+        plot.keyPosition, quoted(plot.xLabel), quoted(plot.yLabel));
     if (plot.hasOneRange && !names.empty())
         script += commonRange(plot);
     if (hasLegend)
@@ -130,8 +140,8 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output)
     return script + "unset multiplot\nunset output\n";
 }
 
-void drawPlot(const Plot& plot, const std::filesystem::path& output) {
-    const std::string script = gnuplotScript(plot, output);
+void drawPlot(const Plot& plot, const std::filesystem::path& output, PlotFormat format) {
+    const std::string script = gnuplotScript(plot, output, format);
     // A gnuplot that gives up early closes the pipe: that is for its exit status to say, not for
     // SIGPIPE to end this program.
     const auto previous = std::signal(SIGPIPE, SIG_IGN);

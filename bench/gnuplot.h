@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,14 +36,21 @@ struct Plot {
 /// The series of that name in the panel of that title, made at the end of either when missing.
 PlotSeries& seriesOf(Plot& plot, const std::string& panelTitle, const std::string& seriesName);
 
+enum class PlotFormat { Svg, Png };
+
+/// What the name of a plot's file asks for by its end, `.svg` or `.png`; nothing for any other.
+std::optional<PlotFormat> plotFormatOf(const std::filesystem::path& file);
+
 /// Throws std::runtime_error when there is no gnuplot to run: to be called before measuring.
 void requireGnuplot();
 
-/// The gnuplot program that draws `plot` to `output` as SVG, data included.
-std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output);
+/// The gnuplot program that draws `plot` to `output`, data included.
+std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output,
+                          PlotFormat format = PlotFormat::Svg);
 
-/// Draws `plot` to `output`, an SVG file, by piping a script to gnuplot. Throws std::runtime_error
-/// when gnuplot fails; its own message goes to stderr.
-void drawPlot(const Plot& plot, const std::filesystem::path& output);
+/// Draws `plot` to `output`, whatever its name, by piping a script to gnuplot. Throws
+/// std::runtime_error when gnuplot fails; its own message goes to stderr.
+void drawPlot(const Plot& plot, const std::filesystem::path& output,
+              PlotFormat format = PlotFormat::Svg);
 
 }  // namespace relievo::bench

@@ -20,10 +20,11 @@ void writeText(textures::AtomicFile& file, const std::string& text) {
 
 ReportFiles::ReportFiles(const ReportPaths& paths) {
     if (!paths.plot.empty()) {
-        if (paths.plot.extension() != ".svg")
-            throw commands::UsageError(
-                fmt::format("--plot {}: plots are SVG, expected a name that ends in .svg",
-                            paths.plot.string()));
+        const std::optional<PlotFormat> format = plotFormatOf(paths.plot);
+        if (!format)
+            throw commands::UsageError(fmt::format(
+                "--plot {}: expected a name that ends in .svg or .png", paths.plot.string()));
+        plotFormat_ = *format;
         requireGnuplot();
         plot_.emplace(paths.plot);
     }
@@ -39,7 +40,7 @@ void ReportFiles::write(const Report& report) {
     if (markdown_)
         writeText(*markdown_, markdownDocument(report.title, report.sections));
     if (plot_) {
-        drawPlot(report.plot, plot_->path());
+        drawPlot(report.plot, plot_->path(), plotFormat_);
         plot_->commit();
     }
 }

@@ -31,8 +31,8 @@ struct Report {
 /// measurement useless fails at once, and appear whole or not at all.
 class ReportFiles {
   public:
-    /// Throws commands::UsageError when the plot is no `.svg`, std::runtime_error when gnuplot is
-    /// missing and textures::InputError when a file cannot be created.
+    /// Throws commands::UsageError when the plot is no `.svg` or `.png`, std::runtime_error when
+    /// gnuplot is missing and textures::InputError when a file cannot be created.
     explicit ReportFiles(const ReportPaths& paths);
 
     /// Writes the files that were asked for.
@@ -41,6 +41,7 @@ class ReportFiles {
   private:
     std::optional<textures::AtomicFile> json_;
     std::optional<textures::AtomicFile> plot_;
+    PlotFormat plotFormat_ = PlotFormat::Svg;
     std::optional<textures::AtomicFile> markdown_;
 };
 

@@ -383,7 +383,7 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"bake", "--strokes", "-1"},
         {"bake", "--rays", "many"},
         {"bake", "--elevations", "5"},
-        {"bake", "--plot", folder.file("bake.png")},
+        {"bake", "--plot", folder.file("bake.pdf")},
         {"search", "--searches", "magic"},
         {"search", "--elevations", "91"},
         {"search", "--rays", "0"},

@@ -55,6 +55,15 @@ TEST(Gnuplot, DrawsSvgWithEveryTitle) {
         EXPECT_THAT(svg, HasSubstr(text));
 }
 
+TEST(Gnuplot, DrawsPng) {
+    const tests::ScratchFolder folder;
+    drawPlot(samplePlot(), folder.file("plot"), PlotFormat::Png);
+    EXPECT_TRUE(tests::readBytes(folder.file("plot")).starts_with("\x89PNG"));
+    EXPECT_EQ(plotFormatOf("a/plot.png"), PlotFormat::Png);
+    EXPECT_EQ(plotFormatOf("a/plot.svg"), PlotFormat::Svg);
+    EXPECT_EQ(plotFormatOf("a/plot.pdf"), std::nullopt);
+}
+
 TEST(Gnuplot, PanelsToCompareHaveOneAxisAndNameTheirSeriesOnce) {
     Plot plot = samplePlot();
     plot.hasLegend = true;
