@@ -81,16 +81,12 @@ bool isSound(const MeasuredPixel& pixel, double mostFetches) {
            pixel.shadowFetches <= mostFetches;
 }
 
-// What a light ray must rise on a tile's width to be told from a level one on a level relief: more
-// than the depths of floats make of it, and, on part of a tile, than what a search takes for the
-// surface; and of ellipses, more than their border is off at the horizon.
+// What a light ray must rise on a tile's width to be told from a level one on a level relief: of
+// horizons and ellipses, more than they are off there.
 float leastRise(const materials::ReliefMaterial& material) {
     if (material.shadow()->name == "ellipse")
         return 0.1f;
-    const auto parameters = material.technique().parameters;
-    const bool isTolerant = std::ranges::any_of(
-        parameters, [](const auto& parameter) { return parameter.name == "tolerance"; });
-    return isTolerant ? 64.0f * static_cast<float>(material.parameter("tolerance")) : 1e-5f;
+    return material.shadow()->searches ? 0.0f : 1e-5f;
 }
 
 // What holds of any relief: a point of light is there or not, below the surface it is not; and

@@ -38,7 +38,8 @@ float reliefDeepest(vec3 below, float span) {
 }
 
 // Follows a ray that begins on the surface until it is clear of it, at t, or leaves the relief. False when
-// it gets below the surface before.
+// it gets below the surface before. One that is not clear after as many cells as the tile has along both
+// sides counts as one that leaves: it stays so near to the surface that a search would hit it anywhere.
 bool reliefIsClear(ReliefRay ray, out float t) {
     ReliefWalk walk = reliefBeginWalk(ray);
     ivec2 size = reliefMapSize();
@@ -55,6 +56,7 @@ bool reliefIsClear(ReliefRay ray, out float t) {
         if (above > reliefClearance(ray, reliefRise(corners))) return true;
         reliefStepWalk(walk);
     }
+    t = ray.end;
     return true;
 }
 
