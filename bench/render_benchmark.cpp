@@ -79,6 +79,7 @@ RenderMeasurement measureTechnique(SampleStage& stage, const materials::Techniqu
                                    std::optional<int> steps, const ExactView& exact,
                                    const RenderBenchmarkOptions& options) {
     materials::ReliefMaterial material = stage.renderer.makeMaterial(technique);
+    material.pixelRays = 1;  // as errors and lookups are counted
     if (steps)
         material.setParameter(materials::budgetParameter(technique)->name, *steps);
     RenderMeasurement result;

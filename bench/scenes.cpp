@@ -84,6 +84,7 @@ StagedScene::StagedScene(const SceneModel& model, const materials::Technique& te
             materials_.back().emplace(reliefOf(part.sample, size).maps, technique);
         material.depthScale = part.depthScale;
         material.window = glm::vec4(part.mesh.windowMinimum, part.mesh.windowMaximum);
+        material.pixelRays = 1;  // as lookups are counted
     }
 }
 

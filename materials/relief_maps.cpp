@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <charconv>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "materials/ellipse_moments.h"
+#include "materials/slope_moments.h"
 #include "textures/depth_pyramid.h"
 #include "textures/displacement_table.h"
 #include "textures/input_error.h"
@@ -123,6 +125,13 @@ constexpr ReliefMapFormat kFormats[] = {
      .filter = GL_LINEAR,
      .form = ReliefMapForm::Ellipses,
      .number = {"relievo:normal-scale", "relievoEllipseScale", false, 0.0}},
+    {.name = "slope-moments",
+     .sampler = "relievoMomentMap",
+     .channels = kDepthChannels,
+     .internalFormat = GL_RGB32F,
+     .filter = GL_LINEAR,
+     .form = ReliefMapForm::SlopeMoments,
+     .blendsLevels = true},
 };
 
 // Unlimited cones are infinite in memory, which a shader would turn into NaN (∞·0). This is as
@@ -150,7 +159,7 @@ std::size_t termGroups(const textures::DisplacementTable& table) {
 
 // What has no map of its own in a file.
 bool isMadeOfOthers(const ReliefMapFormat& format) {
-    return format.form == ReliefMapForm::Pyramid ||
+    return format.form == ReliefMapForm::Pyramid || format.form == ReliefMapForm::SlopeMoments ||
            format.form == ReliefMapForm::DisplacementWeights;
 }
 
@@ -298,6 +307,7 @@ Layers ReliefMaps::layersOf(const ReliefMapFormat& format, const textures::MapSe
         case ReliefMapForm::Plane:
         case ReliefMapForm::Pyramid:
         case ReliefMapForm::Ellipses:
+        case ReliefMapForm::SlopeMoments:
             layers.push_back(channelsOf(format, maps));
             break;
     }
@@ -357,6 +367,8 @@ gl::Texture ReliefMaps::upload(const ReliefMapFormat& format) const {
             return uploadPyramid(format);
         case ReliefMapForm::Ellipses:
             return uploadEllipses(format);
+        case ReliefMapForm::SlopeMoments:
+            return uploadMoments(format);
         case ReliefMapForm::DisplacementWeights:
             return uploadWeights(format);
         case ReliefMapForm::Displacements:
@@ -374,6 +386,21 @@ gl::Texture ReliefMaps::uploadEllipses(const ReliefMapFormat& format) const {
     texture.upload(moments.centres, 3, 0);
     texture.upload(moments.squares, 3, 1);
     texture.setSampling(glWrapMode(maps().wrap), format.filter);
+    return texture;
+}
+
+gl::Texture ReliefMaps::uploadMoments(const ReliefMapFormat& format) const {
+    const std::vector<SlopeMoments> levels = slopeMoments(textures::depthMapOf(maps()));
+    assert(!levels.empty());
+    const textures::Plane& largest = levels.front().xx;
+    gl::Texture texture(largest.width, largest.height, format.internalFormat, 0,
+                        static_cast<int>(levels.size()));
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        uploadLayer(std::array{&levels[level].xx, &levels[level].xy, &levels[level].yy}, texture, 0,
+                    static_cast<int>(level));
+    texture.setSampling(glWrapMode(maps().wrap), format.filter);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER,
+                        static_cast<GLint>(levelFilter(format)));
     return texture;
 }
 

@@ -36,6 +36,9 @@ enum class ReliefMapForm {
     /// A sampler2DArray with the centres and the squares of visibility ellipses
     /// (ellipse_moments.h), of the first MIP level.
     Ellipses,
+    /// A sampler2D with the second moments of the slopes (slope_moments.h), made of the channel
+    /// `depth`; its first level belongs to the second one of the relief.
+    SlopeMoments,
 };
 
 /// A number that a search needs besides the texels of a map, kept in the map file.
@@ -121,6 +124,7 @@ class ReliefMaps {
     [[nodiscard]] gl::Texture uploadPyramid(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadWeights(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture uploadEllipses(const ReliefMapFormat& format) const;
+    [[nodiscard]] gl::Texture uploadMoments(const ReliefMapFormat& format) const;
     [[nodiscard]] gl::Texture upload(const ReliefMapFormat& format) const;
     [[nodiscard]] textures::InputError missing(const ReliefMapFormat& format,
                                                std::string_view channel) const;

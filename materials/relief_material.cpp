@@ -211,6 +211,10 @@ GLuint ReliefMaterial::bindFor(Use use, GLuint program, GLuint firstUnit) const 
         const glm::vec2 range =
             glm::min(levels, glm::vec2(static_cast<float>(maps_->levelCount() - 1)));
         glProgramUniform2fv(program, locate("relievoLevels"), 1, glm::value_ptr(range));
+        // A program that looks at one normal a pixel has no use for it, and nothing is made for it.
+        const ReliefMapFormat& moments = reliefMapFormat("slope-moments");
+        if (glGetUniformLocation(program, std::string(moments.sampler).c_str()) >= 0)
+            bindMap(moments.name);
     }
     // A program that takes one ray a pixel, to measure it or for want of more, has none.
     const GLint rays = glGetUniformLocation(program, "relievoPixelRays");

@@ -17,6 +17,9 @@
 
 namespace relievo::materials {
 
+/// As many rays as keep a receding plane from sparkling (docs/measurements.md, "What sparkles").
+inline constexpr int kUsualPixelRays = 4;
+
 /// A relief shown with one technique: what a renderer needs to draw it with a program of its own.
 ///
 /// The renderer's fragment shader includes `files()` and then "relievo/material.glsl", with
@@ -75,9 +78,9 @@ class ReliefMaterial {
     /// The first and the last MIP level that pixels may take, counted from 0; only a relief that
     /// has levels looks at them.
     glm::vec2 levels{0.0f, std::numeric_limits<float>::infinity()};
-    /// The most rays in a pixel, ≥ 1, for programs that take several where the view grazes the
-    /// surface (relievo/pixel_rays.glsl).
-    int pixelRays = 1;
+    /// The most rays in a pixel, ≥ 1, for programs that take several where a pixel covers several
+    /// texels (relievo/pixel_rays.glsl).
+    int pixelRays = kUsualPixelRays;
 
   private:
     struct ParameterValue {

@@ -49,6 +49,7 @@ void SceneRenderer::drawReference(const ReferenceFrame& reference, const View& v
     hits.upload(givenHitTexels(reference), 4);
     hits.setSampling(GL_CLAMP_TO_EDGE, GL_NEAREST);
     materials::ReliefMaterial material = makeMaterial(materials::givenHitsTechnique());
+    material.pixelRays = 1;  // all would be given the same hit
     SceneObject object = objectIn(view, material);
     object.givenHits = &hits;
     gl::Texture visibility;

@@ -194,8 +194,8 @@ void addFilterOptions(CLI::App& app, ViewOptions& options) {
         ->type_name("auto|N")
         ->default_str("auto");
     app.add_option("--rays", options.rays,
-                   "The most rays in a pixel, for pictures that do not sparkle where the view "
-                   "grazes the surface: a pixel takes as many as it is longer than wide there")
+                   "The most rays in a pixel, for pictures that do not sparkle far away: a pixel "
+                   "takes as many as it covers texels of the first level")
         ->check(CLI::Range(1, kMostRays))
         ->capture_default_str();
 }

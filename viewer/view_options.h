@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gl/context.h"
+#include "materials/relief_material.h"
 #include "materials/slope_sources.h"
 #include "materials/surface_textures.h"
 #include "viewer/camera.h"
@@ -60,11 +61,11 @@ struct ViewOptions {
     /// Those of --roughness, --metalness and --light-size that the command line has: alone they
     /// would do nothing.
     std::set<std::string> dependentOptions;
-    bool bakedOcclusion = false;      ///< take the occlusion of the map file
-    std::optional<int> level;         ///< the MIP level for all pixels; none: each its own
-    int rays = 1;                     ///< the most rays in a pixel
-    std::filesystem::path output;     ///< headless: the picture
-    std::filesystem::path errorFile;  ///< headless: raw errors
+    bool bakedOcclusion = false;            ///< take the occlusion of the map file
+    std::optional<int> level;               ///< the MIP level for all pixels; none: each its own
+    int rays = materials::kUsualPixelRays;  ///< the most in a pixel
+    std::filesystem::path output;           ///< headless: the picture
+    std::filesystem::path errorFile;        ///< headless: raw errors
     bool headless = false;
     bool list = false;
     bool markExhausted = false;

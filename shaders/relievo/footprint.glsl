@@ -8,6 +8,7 @@
 struct ReliefFootprint {
     float longest;
     float shortest;  // the size of a pixel at the surface, whatever the angle
+    float rounding;  // what is added to the level of the pixel before it is rounded down; ½: the nearest
 };
 
 // The singular values of ∂(u, ρ·v)/∂(x, y) on the screen. To be called where neighbouring pixels come by
@@ -19,7 +20,7 @@ ReliefFootprint reliefFootprint(vec2 uv, float aspect) {
     float area = abs(across.x * down.y - across.y * down.x);
     float difference = sqrt(max((squares - 2.0 * area) * (squares + 2.0 * area), 0.0));
     float longest = sqrt(0.5 * (squares + difference));
-    return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0);
+    return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0, 0.5);
 }
 
 // The unit direction on the screen, in pixels, in which the footprint is longest; any where it is round.
@@ -39,13 +40,13 @@ float reliefPixelsPerDepth(ReliefFootprint footprint, float depthScale) {
 #ifdef RELIEVO_MIPS
 uniform vec2 relievoLevels;  // the first and the last level that may be used
 
-// The level whose texels are between half a pixel and a pixel large across the view, from the middle of
-// that range: a search takes the nearest level, shading may mix two. Along the view, where a grazing
-// footprint is longer, the level must not follow it. What stands up there shows its front to the eye,
-// and a level that has lost it is brighter, flatter and, between levels, no steadier.
+// The level whose texels are between a quarter of a pixel and half of one across the view, from the middle of
+// that range: a search takes the nearest level, shading may mix two. With the rays that a pixel takes
+// (relievo/pixel_rays.glsl) larger texels would be no steadier, and what stands up in them hides less of what
+// is behind it. Nor must the level follow the footprint along the view, where a grazing one is longer.
 float reliefLevelFor(ReliefFootprint footprint) {
     float texels = footprint.shortest * float(textureSize(relievoDepthMap, 0).x);
-    return clamp(log2(max(texels, 1e-30)) - 0.5, relievoLevels.x, relievoLevels.y);
+    return clamp(log2(max(texels, 1e-30)) - 1.5, relievoLevels.x, relievoLevels.y);
 }
 #else
 float reliefLevelFor(ReliefFootprint footprint) { return 0.0; }

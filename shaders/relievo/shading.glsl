@@ -1,10 +1,43 @@
-// The texture set and the shading model that the text asks for; see relievo/shading/.
+// The texture set and the shading model that the text asks for. A file of relievo/shading/ defines
+//
+//   vec3 reliefDiffuse(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye, vec3 lightColor);
+//   vec3 reliefHighlight(ReliefAppearance appearance, vec3 normal, float variance, vec3 toLight, vec3 toEye,
+//                        vec3 lightColor);
+//
+// what is seen of one directional light and of the light from all around, in linear RGB: what has been inside
+// the body, and what the surface mirrors, whose slopes vary by `variance` along each axis around those of the
+// normal. Directions have unit length; toLight and toEye point away from the surface. lightColor is what a
+// white diffuse surface shows that faces the light.
 //
 // What the models share comes first: a file counts as included also where a branch leaves it out.
 #include "relievo/shading/appearance.glsl"
+#include "relievo/shading/normals.glsl"
 #include "relievo/shading/surroundings.glsl"
 #ifdef RELIEVO_MICROFACET
 #include "relievo/shading/microfacet.glsl"
 #else
 #include "relievo/shading/blinn_phong.glsl"
 #endif
+
+vec3 shadeRelief(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye, vec3 lightColor) {
+    return reliefDiffuse(appearance, normal, toLight, toEye, lightColor) +
+           reliefHighlight(appearance, normal, 0.0, toLight, toEye, lightColor);
+}
+
+// The same of several normals: the body is seen under each; the lobe, which may be narrow, around their mean,
+// as wide as they differ.
+vec3 shadeRelief(ReliefAppearance appearance, ReliefNormals normals, vec3 toLight, vec3 toEye,
+                 vec3 lightColor) {
+    if (normals.count == 1)
+        return shadeRelief(appearance, normals.directions[0], toLight, toEye, lightColor);
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < normals.count; ++k)
+        sum += normals.shares[k] *
+               reliefDiffuse(appearance, normals.directions[k], toLight, toEye, lightColor);
+    vec3 mean = reliefMeanNormal(normals);
+    float meanLength = length(mean);
+    // Normals all around have no mean, and what they mirror comes from all around.
+    if (meanLength < 1e-3) return sum;
+    return sum + reliefHighlight(appearance, mean / meanLength, reliefNormalVariance(meanLength), toLight,
+                                 toEye, lightColor);
+}

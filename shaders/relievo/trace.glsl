@@ -28,7 +28,7 @@ ReliefTrace reliefTrace(ReliefSurface surface, vec3 view, ReliefFootprint footpr
     ReliefTrace result;
     float aspect = reliefAspect();
     result.level = reliefLevelFor(footprint);
-    reliefSelectLevel(int(result.level + 0.5));
+    reliefSelectLevel(int(result.level + footprint.rounding));
     result.ray = makeReliefRay(surface, view, relievoDepthScale, relievoWindow, aspect);
     result.ray.pixelsPerDepth = reliefPixelsPerDepth(footprint, relievoDepthScale);
     result.hit = searchRelief(result.ray);

@@ -24,6 +24,7 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}, {"RELIEVO_MIPS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_PIXEL_RAYS", "1"}},
     {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
+    {{"RELIEVO_MIPS", "1"}, {"RELIEVO_WRAP_CLAMP", "1"}},
     {{"RELIEVO_SHADOW_MAP", "1"}, {"RELIEVO_ALBEDO_MAP", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}}};
 
 // What a texture set may ask the shading's text to define.
@@ -97,17 +98,21 @@ TEST(GlslangTest, AcceptsEveryProgram) {
 }
 
 constexpr const char* kEsMain = R"glsl(
-#include "relievo/material.glsl"
+#include "relievo/pixel_rays.glsl"
+#include "relievo/seen_normals.glsl"
 #include "relievo/shading.glsl"
 uniform mat4 viewProjection;
-uniform ReliefSurface surface;
+uniform ReliefSurface middle;
 uniform vec3 view;
 out vec4 color;
 void main() {
-    ReliefFragment relief = traceRelief(surface, view);
+    ReliefPixel pixel = reliefPixel(middle, reliefAspect());
+    ReliefSurface surface = reliefPixelSurface(pixel, pixel.rays - 1);
+    ReliefFragment relief = traceRelief(surface, view, reliefRayFootprint(pixel, pixel.rays - 1));
     vec2 uv = relief.hit.position.xy;
     ReliefAppearance appearance = reliefAppearance(uv, dFdx(uv), dFdy(uv), relievoDepthScale);
-    color = vec4(shadeRelief(appearance, relief.normal, -view, -view, vec3(1.0)), 1.0);
+    ReliefNormals normals = reliefSeenNormals(surface, view, relief);
+    color = vec4(shadeRelief(appearance, normals, -view, -view, vec3(1.0)), 1.0);
     gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }
 )glsl";

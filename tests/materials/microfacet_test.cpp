@@ -32,9 +32,11 @@ layout(location = 0) out vec4 result;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ReliefAppearance appearance = ReliefAppearance(albedo, roughness, metalness, 1.0);
-    result = vec4(reliefReflection(appearance, vec3(0.0, 0.0, 1.0),
-                                   texelFetch(lights, pixel, 0).xyz,
-                                   texelFetch(eyes, pixel, 0).xyz), 1.0);
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+    vec3 toLight = texelFetch(lights, pixel, 0).xyz;
+    vec3 toEye = texelFetch(eyes, pixel, 0).xyz;
+    result = vec4(reliefFacetReflection(appearance, normal, toLight, toEye) +
+                  reliefBodyReflection(appearance, normal, toLight, toEye), 1.0);
 }
 )glsl";
 

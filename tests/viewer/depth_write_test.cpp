@@ -61,6 +61,7 @@ class DepthWrite : public testing::TestWithParam<Projection> {
           surface_(mesh_),
           target_(makeColorTarget(kWidth, kHeight)) {
         material_.depthScale = 0.2f;
+        material_.pixelRays = 1;  // of several the nearest hit would count
         material_.window = {0, 0, 2, 3};
     }
 

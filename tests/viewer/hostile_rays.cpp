@@ -129,7 +129,7 @@ void main() {
     } else {
         // Neighbouring pixels are other rays: they say nothing of the size of a pixel. In the least of
         // them there is nothing too small to be searched.
-        relief = traceRelief(surface, view, ReliefFootprint(0.0, 0.0));
+        relief = traceRelief(surface, view, ReliefFootprint(0.0, 0.0, 0.5));
     }
     hitOutput = vec4(relief.hit.position, relief.hit.t);
     workOutput = vec4(float(relief.hit.outcome), float(relief.hit.steps),

@@ -136,15 +136,15 @@ TEST_F(MipLevels, TheTruthOfAnotherLevelIsWrong) {
               0.05);
 }
 
-// A frame of n pixels shows one tile of 128 texels: with between 2^k and 2^(k+1) texels a pixel, in
-// level k a pixel has between one and two texels.
+// A frame of n pixels shows one tile of 128 texels: with between 2^(k+1) and 2^(k+2) texels a
+// pixel, in level k a pixel has between two and four texels.
 TEST_F(MipLevels, APixelTakesTheOneOfItsSize) {
     const materials::Technique& relief = materials::findTechnique("relief");
     const auto levels = bakeChain(sampleOf("noise", 128, 128), bench::planFor(relief));
     const struct {
         int frame;
         int level;
-    } kFrames[] = {{150, 0}, {90, 0}, {45, 1}, {23, 2}, {11, 3}};
+    } kFrames[] = {{90, 0}, {45, 0}, {23, 1}, {11, 2}, {6, 3}};
     for (const auto& [frame, level] : kFrames) {
         SCOPED_TRACE(frame);
         LevelScene scene(levels, 30.0f, 45.0f);
@@ -161,11 +161,11 @@ TEST_F(MipLevels, APixelTakesTheOneOfItsSize) {
 TEST_F(MipLevels, AreChosenInTexelsOfLongMaps) {
     const materials::Technique& relief = materials::findTechnique("relief");
     const auto levels = bakeChain(sampleOf("noise", 128, 32), bench::planFor(relief));
-    // parallelRays shows the tile in a square frame: 128/40 texels across and 32/40 down. What
+    // parallelRays shows the tile in a square frame: 128/20 texels across and 32/20 down. What
     // counts is the shorter side.
     LevelScene scene(levels, 30.0f, 45.0f);
-    EXPECT_EQ(differences(scene.measure(relief, 40), scene.measure(relief, 40, 0)), 0u);
-    EXPECT_GT(differences(scene.measure(relief, 12), scene.measure(relief, 12, 0)), 50u);
+    EXPECT_EQ(differences(scene.measure(relief, 20), scene.measure(relief, 20, 0)), 0u);
+    EXPECT_GT(differences(scene.measure(relief, 6), scene.measure(relief, 6, 0)), 20u);
 }
 
 TEST_F(MipLevels, WithTheFirstOneAloneThePictureIsThatWithoutLevels) {

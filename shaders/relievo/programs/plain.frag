@@ -1,5 +1,5 @@
 // A mesh without a relief, shaded with Blinn–Phong.
-#include "relievo/shading/blinn_phong.glsl"
+#include "relievo/shading.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/surface_input.glsl"
 #ifdef RELIEVO_SHADOW_MAP

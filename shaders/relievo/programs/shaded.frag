@@ -1,6 +1,7 @@
 // A shaded relief that writes the depth of its hits.
 #include "relievo/material.glsl"
 #include "relievo/pixel_rays.glsl"
+#include "relievo/seen_normals.glsl"
 #include "relievo/shading.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/depth_output.glsl"
@@ -42,7 +43,8 @@ vec3 shade(ReliefFragment relief, ReliefPixel pixel, ReliefSurface surface, vec3
 #ifdef RELIEVO_SHADOW_MAP
     light *= shadowMapVisibility(relief.position);
 #endif
-    return clamp(shadeRelief(appearance, relief.normal, toLight, -view, light), 0.0, 1.0);
+    ReliefNormals normals = reliefSeenNormals(surface, view, relief);
+    return clamp(shadeRelief(appearance, normals, toLight, -view, light), 0.0, 1.0);
 }
 
 void main() {
@@ -53,7 +55,7 @@ void main() {
     for (int ray = 0; ray < pixel.rays; ++ray) {
         ReliefSurface surface = reliefPixelSurface(pixel, ray);
         vec3 view = surfaceView(surface.position);
-        ReliefFragment relief = traceRelief(surface, view, pixel.footprint);
+        ReliefFragment relief = traceRelief(surface, view, reliefRayFootprint(pixel, ray));
         if (!isShown(relief.hit)) continue;
         ++hits;
         sum += shade(relief, pixel, surface, view);

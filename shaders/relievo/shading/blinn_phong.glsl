@@ -3,16 +3,19 @@
 #include "relievo/shading/appearance.glsl"
 #include "relievo/shading/surroundings.glsl"
 
-// All directions have unit length; toLight and toEye point away from the surface. lightColor is what a white
-// diffuse surface shows that faces the light; without occluders of its own. Returns linear RGB.
-vec3 shadeRelief(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye,
-                 vec3 lightColor) {
+vec3 reliefDiffuse(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye, vec3 lightColor) {
+    vec3 ambient = appearance.occlusion * reliefSurroundings(normal, 1.0);
+    return appearance.albedo * (ambient + lightColor * max(dot(normal, toLight), 0.0));
+}
+
+// A lobe of shininess s is about as wide as slopes of the variance 1/s. Variances add up, and a wider lobe is
+// as much lower (Toksvig 2005).
+vec3 reliefHighlight(ReliefAppearance appearance, vec3 normal, float variance, vec3 toLight, vec3 toEye,
+                     vec3 lightColor) {
     const float specular = 0.12;
     const float shininess = 32.0;
-    float diffuse = max(dot(normal, toLight), 0.0);
-    vec3 halfway = normalize(toLight + toEye);
-    float highlight = diffuse > 0.0 ? pow(max(dot(normal, halfway), 0.0), shininess) : 0.0;
-    vec3 ambient = appearance.occlusion * reliefSurroundings(normal, 1.0);
-    return appearance.albedo * (ambient + lightColor * diffuse) +
-           lightColor * (specular * highlight);
+    if (dot(normal, toLight) <= 0.0) return vec3(0.0);
+    float widened = shininess / (1.0 + shininess * variance);
+    float highlight = pow(max(dot(normal, normalize(toLight + toEye)), 0.0), widened);
+    return lightColor * (specular * highlight * (1.0 + widened) / (1.0 + shininess));
 }

@@ -53,46 +53,61 @@ vec3 reliefTowards(vec3 direction, vec3 normal) {
     return direction - 2.0 * min(dot(direction, normal), 0.0) * normal;
 }
 
-// π times the reflectance for the two directions, times the cosine towards the light: what is seen of a light
-// that a white diffuse surface facing it shows as 1.
-vec3 reliefReflection(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye) {
+// What is seen of a light that a white diffuse surface facing it shows as 1, π times the reflectance for the
+// two directions times the cosine towards the light: by facets.
+vec3 reliefFacetReflection(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye) {
     float cosineLight = dot(normal, toLight);
     if (cosineLight <= 0.0) return vec3(0.0);
     vec3 eye = reliefTowards(toEye, normal);
-    float cosineEye = dot(normal, eye);
     float width = reliefLobeWidth(appearance.roughness);
     vec3 halfway = normalize(toLight + eye);
     vec3 straightOn = mix(vec3(kReliefDielectric), appearance.albedo, appearance.metalness);
-    vec3 facets = reliefSchlick(straightOn, dot(toLight, halfway)) *
-                  (reliefFacets(normal, halfway, width) *
-                   reliefSeenFacets(cosineLight, cosineEye, width));
+    return reliefSchlick(straightOn, dot(toLight, halfway)) *
+           (cosineLight * reliefFacets(normal, halfway, width) *
+            reliefSeenFacets(cosineLight, dot(normal, eye), width));
+}
+
+// The same by the body.
+vec3 reliefBodyReflection(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye) {
+    float cosineLight = dot(normal, toLight);
+    if (cosineLight <= 0.0) return vec3(0.0);
+    float cosineEye = dot(normal, reliefTowards(toEye, normal));
     // Schlick's F is straightOn + (1 − straightOn)/21 on average.
     const float letIn = (1.0 - kReliefDielectric) * (20.0 / 21.0);
     float body = (1.0 - appearance.metalness) * reliefTransmission(cosineLight) *
                  reliefTransmission(cosineEye) / letIn;
-    return cosineLight * (facets + body * appearance.albedo);
+    return cosineLight * body * appearance.albedo;
 }
 
-// What is seen of the light from all around. The body sees it as a diffuse surface does; the facets show it
-// around the mirrored direction, with a Fresnel term that grows less at grazing angles the rougher they are
-// (Lagarde 2011).
-vec3 reliefAmbient(ReliefAppearance appearance, vec3 normal, vec3 toEye) {
+// What is seen of the light from all around, by facets. They show it around the mirrored direction, with a
+// Fresnel term that grows less at grazing angles the rougher they are (Lagarde 2011).
+vec3 reliefFacetAmbient(ReliefAppearance appearance, vec3 normal, vec3 toEye) {
     vec3 eye = reliefTowards(toEye, normal);
-    float cosineEye = dot(normal, eye);
     vec3 straightOn = mix(vec3(kReliefDielectric), appearance.albedo, appearance.metalness);
     vec3 grazing = max(vec3(1.0 - appearance.roughness), straightOn);
-    float rest = (reliefSchlick(vec3(0.0), cosineEye)).x;
-    vec3 mirrored = (straightOn + (grazing - straightOn) * rest) *
-                    reliefSurroundings(reflect(-eye, normal), reliefLobeWidth(appearance.roughness));
-    vec3 body = (1.0 - appearance.metalness) * reliefTransmission(cosineEye) * appearance.albedo *
-                reliefSurroundings(normal, 1.0);
-    return appearance.occlusion * (mirrored + body);
+    float rest = (reliefSchlick(vec3(0.0), dot(normal, eye))).x;
+    return appearance.occlusion * (straightOn + (grazing - straightOn) * rest) *
+           reliefSurroundings(reflect(-eye, normal), reliefLobeWidth(appearance.roughness));
 }
 
-// All directions have unit length; toLight and toEye point away from the surface. lightColor is what a white
-// diffuse surface shows that faces the light. Returns linear RGB.
-vec3 shadeRelief(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye,
-                 vec3 lightColor) {
-    return lightColor * reliefReflection(appearance, normal, toLight, toEye) +
-           reliefAmbient(appearance, normal, toEye);
+// The same by the body, which sees it as a diffuse surface does.
+vec3 reliefBodyAmbient(ReliefAppearance appearance, vec3 normal, vec3 toEye) {
+    float cosineEye = dot(normal, reliefTowards(toEye, normal));
+    return appearance.occlusion * (1.0 - appearance.metalness) * reliefTransmission(cosineEye) *
+           appearance.albedo * reliefSurroundings(normal, 1.0);
+}
+
+vec3 reliefDiffuse(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 toEye, vec3 lightColor) {
+    return lightColor * reliefBodyReflection(appearance, normal, toLight, toEye) +
+           reliefBodyAmbient(appearance, normal, toEye);
+}
+
+// The lobe is about that of slopes with half the square of its width as variance. Variances add up.
+vec3 reliefHighlight(ReliefAppearance appearance, vec3 normal, float variance, vec3 toLight, vec3 toEye,
+                     vec3 lightColor) {
+    float roughness = appearance.roughness;
+    float width = sqrt(roughness * roughness * roughness * roughness + 2.0 * variance);
+    appearance.roughness = sqrt(min(width, 1.0));
+    return lightColor * reliefFacetReflection(appearance, normal, toLight, toEye) +
+           reliefFacetAmbient(appearance, normal, toEye);
 }
