@@ -49,25 +49,23 @@ mat2 reliefSquareRoot(vec3 covariance) {
 }
 #endif
 
-// The normals that a pixel sees around a hit, which traceRelief found along `view` from `surface`.
-ReliefNormals reliefSeenNormals(ReliefSurface surface, vec3 view, ReliefFragment relief) {
-    ReliefNormals normals = reliefSingleNormal(relief.normal);
+// The normals that a pixel sees around a hit of traceRelief on `surface`.
+ReliefNormals reliefSeenNormals(ReliefSurface surface, ReliefFragment relief) {
+    float aspect = reliefAspect();
+    ReliefNormals normals;
+    normals.upright = reliefUprightNormal(surface, relief.gradient, aspect);
+    normals.first = vec3(0.0);
+    normals.second = vec3(0.0);
+    normals.count = 1;
 #ifdef RELIEVO_MIPS
-    if (relief.level <= 0.0) return normals;
-    // Each of four has a quarter of the covariance: a pair along a column lies √2 to both sides.
-    mat2 columns = sqrt(2.0) * reliefSquareRoot(reliefLostSlopes(relief.hit.position.xy, relief.level));
-    vec2 offsets[4] = vec2[4](columns[0], -columns[0], columns[1], -columns[1]);
-    float seen = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        vec3 upright = reliefUprightNormal(surface, relief.gradient + offsets[k], reliefAspect());
-        // A facet over an area of the surface shows that area times this. Where none faces the eye, all
-        // count alike.
-        normals.shares[k] = max(dot(upright, -view), 1e-6);
-        normals.directions[k] = normalize(upright);
-        seen += normals.shares[k];
+    if (relief.level > 0.0) {
+        // Each of four has a quarter of the covariance: a pair along a column lies √2 to both sides.
+        mat2 columns =
+            sqrt(2.0) * reliefSquareRoot(reliefLostSlopes(relief.hit.position.xy, relief.level));
+        normals.first = reliefUprightNormal(surface, columns[0], aspect) - surface.normal;
+        normals.second = reliefUprightNormal(surface, columns[1], aspect) - surface.normal;
+        normals.count = 4;
     }
-    for (int k = 0; k < 4; ++k) normals.shares[k] /= seen;
-    normals.count = 4;
 #endif
     return normals;
 }

@@ -25,19 +25,29 @@ vec3 shadeRelief(ReliefAppearance appearance, vec3 normal, vec3 toLight, vec3 to
 }
 
 // The same of several normals: the body is seen under each; the lobe, which may be narrow, around their mean,
-// as wide as they differ.
+// as wide as they differ. A facet over an area of the surface shows the eye that area times the product of its
+// long normal with the direction; where none faces the eye, all count alike.
 vec3 shadeRelief(ReliefAppearance appearance, ReliefNormals normals, vec3 toLight, vec3 toEye,
                  vec3 lightColor) {
-    if (normals.count == 1)
-        return shadeRelief(appearance, normals.directions[0], toLight, toEye, lightColor);
+#ifndef RELIEVO_MIPS
+    // Without levels there is one, and no loop.
+    return shadeRelief(appearance, normalize(normals.upright), toLight, toEye, lightColor);
+#else
     vec3 sum = vec3(0.0);
-    for (int k = 0; k < normals.count; ++k)
-        sum += normals.shares[k] *
-               reliefDiffuse(appearance, normals.directions[k], toLight, toEye, lightColor);
-    vec3 mean = reliefMeanNormal(normals);
-    float meanLength = length(mean);
-    // Normals all around have no mean, and what they mirror comes from all around.
-    if (meanLength < 1e-3) return sum;
-    return sum + reliefHighlight(appearance, mean / meanLength, reliefNormalVariance(meanLength), toLight,
-                                 toEye, lightColor);
+    vec3 mean = vec3(0.0);
+    float seen = 0.0;
+    for (int k = 0; k < normals.count; ++k) {
+        vec3 facet = reliefFacetNormal(normals, k);
+        vec3 normal = normalize(facet);
+        float share = max(dot(facet, toEye), 1e-6);
+        sum += share * reliefDiffuse(appearance, normal, toLight, toEye, lightColor);
+        mean += share * normal;
+        seen += share;
+    }
+    // Normals all around have no mean; their lobe is so wide that nothing of it shows.
+    float meanLength = max(length(mean), 1e-6 * seen);
+    float variance = normals.count > 1 ? reliefNormalVariance(meanLength / seen) : 0.0;
+    return sum / seen +
+           reliefHighlight(appearance, mean / meanLength, variance, toLight, toEye, lightColor);
+#endif
 }

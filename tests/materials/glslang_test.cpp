@@ -111,7 +111,7 @@ void main() {
     ReliefFragment relief = traceRelief(surface, view, reliefRayFootprint(pixel, pixel.rays - 1));
     vec2 uv = relief.hit.position.xy;
     ReliefAppearance appearance = reliefAppearance(uv, dFdx(uv), dFdy(uv), relievoDepthScale);
-    ReliefNormals normals = reliefSeenNormals(surface, view, relief);
+    ReliefNormals normals = reliefSeenNormals(surface, relief);
     color = vec4(shadeRelief(appearance, normals, -view, -view, vec3(1.0)), 1.0);
     gl_FragDepth = reliefWindowDepth(relief.hit, relief.position, viewProjection);
 }

@@ -43,7 +43,7 @@ vec3 shade(ReliefFragment relief, ReliefPixel pixel, ReliefSurface surface, vec3
 #ifdef RELIEVO_SHADOW_MAP
     light *= shadowMapVisibility(relief.position);
 #endif
-    ReliefNormals normals = reliefSeenNormals(surface, view, relief);
+    ReliefNormals normals = reliefSeenNormals(surface, relief);
     return clamp(shadeRelief(appearance, normals, toLight, -view, light), 0.0, 1.0);
 }
 

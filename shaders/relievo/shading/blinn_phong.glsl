@@ -14,8 +14,8 @@ vec3 reliefHighlight(ReliefAppearance appearance, vec3 normal, float variance, v
                      vec3 lightColor) {
     const float specular = 0.12;
     const float shininess = 32.0;
-    if (dot(normal, toLight) <= 0.0) return vec3(0.0);
     float widened = shininess / (1.0 + shininess * variance);
-    float highlight = pow(max(dot(normal, normalize(toLight + toEye)), 0.0), widened);
+    float facing = max(dot(normal, normalize(toLight + toEye)), 0.0);
+    float highlight = dot(normal, toLight) > 0.0 ? pow(facing, widened) : 0.0;
     return lightColor * (specular * highlight * (1.0 + widened) / (1.0 + shininess));
 }
