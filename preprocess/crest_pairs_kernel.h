@@ -104,6 +104,16 @@ inline GradientBox gradientBox(const Lanes cell[4], Lanes u0, Lanes v0, Lanes u1
     return {{alongX + twist * v0, alongX + twist * v1}, {alongY + twist * u0, alongY + twist * u1}};
 }
 
+// The most that the depth may grow over steps of the range, by gradients of the box.
+template <typename Length>
+Lanes mostGrowth(const GradientBox& box, const StepRange<Length>& steps) {
+    const auto most = [](const Lanes(&growth)[2], Length first, Length last) {
+        return larger(larger(growth[0] * first, growth[0] * last),
+                      larger(growth[1] * first, growth[1] * last));
+    };
+    return most(box.x, steps.first[0], steps.last[0]) + most(box.y, steps.first[1], steps.last[1]);
+}
+
 struct PieceSurface {
     GradientBox gradients;
     Lanes depth[4];  // at the corners
@@ -118,7 +128,32 @@ inline PieceSurface surfaceOf(const PieceLanes& piece) {
     return {box, {origin, origin + box.x[0] * piece.side, below, below + box.x[1] * piece.side}};
 }
 
-// What the sixteen pairs of corners of each pair of pieces say: maxima of squared slopes.
+// The most that the depth may grow at the ends of chords of the sector from one piece into the
+// other one, `dx` and `dy` from first corner to first corner; −kUnbounded where there are no such
+// chords.
+inline Lanes growthWithin(const ChordSector& sector, float aspect, const PairLanes& pair,
+                          const GradientBox& gradients, Lanes dx, Lanes dy) {
+    StepRange<Lanes> steps{{dx - pair.from.side, dy - pair.from.side},
+                           {dx + pair.to.side, dy + pair.to.side}};
+    keepInSector(sector, aspect, steps);
+    const LaneMask exists = (steps.first[0] <= steps.last[0]) & (steps.first[1] <= steps.last[1]);
+    return exists ? mostGrowth(gradients, steps) : splat(-kUnbounded);
+}
+
+// Which steps, of so many texels, are in the sector.
+inline LaneMask isInSector(const ChordSector& sector, float aspect, Lanes x, Lanes y) {
+    const Lanes alongX = x * sector.signX;
+    const Lanes alongY = y * (sector.signY * aspect);
+    const LaneMask isAhead = (alongX >= Lanes{}) & (alongY >= Lanes{});
+    if (sector.half == ChordSector::Half::Shallow)
+        return isAhead & (alongY <= alongX);
+    if (sector.half == ChordSector::Half::Steep)
+        return isAhead & (alongX <= alongY);
+    return isAhead;
+}
+
+// What the sixteen pairs of corners of each pair of pieces say: maxima of squared slopes. Of a
+// sector, corners beyond it help to bound chords, but are no ends of such that are attained.
 struct CornerSlopes {
     Lanes chords;    // bounds by the surface
     Lanes tangents;  // and by the planes that touch it at the end
@@ -126,7 +161,8 @@ struct CornerSlopes {
     Lanes growth;    // positive where a ray may come out
 };
 
-inline CornerSlopes cornerSlopes(const PairLanes& pair, float aspect) {
+template <bool kInSector>
+CornerSlopes cornerSlopes(const PairLanes& pair, float aspect, const ChordSector& sector) {
     const PieceSurface from = surfaceOf(pair.from);
     const PieceSurface to = surfaceOf(pair.to);
     const Lanes correction =
@@ -151,14 +187,44 @@ inline CornerSlopes cornerSlopes(const PairLanes& pair, float aspect) {
             result.chords = larger(result.chords, chord * perLeast);
             result.tangents = larger(result.tangents, tangent * perLeast);
             const Lanes slope = chord / larger(square, splat(1.0f / kUnbounded));
-            const LaneMask isChord = (growth > Lanes{}) & (square > Lanes{});
+            LaneMask isChord = (growth > Lanes{}) & (square > Lanes{});
+            if constexpr (kInSector)
+                isChord &= isInSector(sector, aspect, x, y);
             result.attained = larger(result.attained, isChord ? slope : Lanes{});
             result.growth = larger(result.growth, growth);
         }
+    if constexpr (kInSector)
+        result.growth =
+            smaller(result.growth, growthWithin(sector, aspect, pair, to.gradients, dx, dy));
     return result;
 }
 
-// The greatest (a·e)² (near_crests.h) for a among the slopes down in `path` and b in `end`.
+// The greatest (a·e)² (near_crests.h) for a among the slopes down in `path` and e in the sector.
+inline Lanes steepestWithin(const ChordSector& sector, const GradientBox& path) {
+    const bool isSteep = sector.half == ChordSector::Half::Steep;
+    Lanes steepest{};
+    for (int k = 0; k < 4; ++k) {
+        const Lanes x = path.x[k % 2] * -sector.signX;
+        const Lanes y = path.y[k / 2] * -sector.signY;
+        if (sector.half == ChordSector::Half::Both) {
+            const Lanes ahead = squareOf(larger(x, Lanes{})) + squareOf(larger(y, Lanes{}));
+            steepest = larger(steepest, ahead);
+            continue;
+        }
+        // From the axis to the diagonal.
+        const Lanes along = isSteep ? y : x;
+        const Lanes across = isSteep ? x : y;
+        const Lanes onAxis = squareOf(larger(along, Lanes{}));
+        const Lanes onDiagonal = squareOf(larger(along + across, Lanes{})) * 0.5f;
+        const Lanes inside = squareOf(along) + squareOf(across);
+        steepest = larger(steepest, across < Lanes{} ? onAxis
+                                    : across > along ? onDiagonal
+                                                     : inside);
+    }
+    return steepest;
+}
+
+// The same for b in `end` and all e.
 inline Lanes steepestTowards(const GradientBox& path, const GradientBox& end) {
     Lanes steepest{};
 #pragma GCC unroll 4
@@ -186,7 +252,9 @@ inline Lanes clampToCell(Lanes place) {
 
 // The bound by gradients, squared, where the cells of both pieces touch: chords stay in the
 // rectangle around them, which has parts in up to four cells.
-inline Lanes boundByGradients(const PairLanes& pair, const float* depths, float aspect) {
+template <bool kInSector>
+Lanes boundByGradients(const PairLanes& pair, const float* depths, float aspect,
+                       const ChordSector& sector) {
     const Lanes toX = pair.stepX + pair.to.u;
     const Lanes toY = pair.stepY + pair.to.v;
     const Lanes left = smaller(pair.from.u, toX);
@@ -216,7 +284,10 @@ inline Lanes boundByGradients(const PairLanes& pair, const float* depths, float 
         const GradientBox path =
             toMetric(gradientBox(cell, clampToCell(left - x), clampToCell(top - y),
                                  clampToCell(right - x), clampToCell(bottom - y)));
-        steepest = larger(steepest, steepestTowards(path, end));
+        Lanes slope = steepestTowards(path, end);
+        if constexpr (kInSector)
+            slope = smaller(slope, steepestWithin(sector, path));
+        steepest = larger(steepest, slope);
     }
     return steepest;
 }
@@ -228,13 +299,15 @@ struct PairSlopes {
 };
 
 // `known`: bounds need not be less than this.
-inline PairSlopes pairSlopes(const PairLanes& pair, const float* depths, float aspect,
-                             Lanes known) {
-    const CornerSlopes corners = cornerSlopes(pair, aspect);
+template <bool kInSector>
+PairSlopes pairSlopes(const PairLanes& pair, const float* depths, float aspect,
+                      const ChordSector& sector, Lanes known) {
+    const CornerSlopes corners = cornerSlopes<kInSector>(pair, aspect, sector);
     Lanes bound = corners.growth > Lanes{} ? smaller(corners.chords, corners.tangents) : Lanes{};
     const LaneMask touch = (squareOf(pair.stepX) <= splat(1.0f)) &
                            (squareOf(pair.stepY) <= splat(1.0f)) & (bound > known);
     if (anyLane(touch))
-        bound = touch ? smaller(bound, boundByGradients(pair, depths, aspect)) : bound;
+        bound = touch ? smaller(bound, boundByGradients<kInSector>(pair, depths, aspect, sector))
+                      : bound;
     return {bound, corners.attained};
 }

@@ -54,7 +54,7 @@ int copiesAlong(double tileWidth, int texels, double tileLength, textures::WrapM
 }  // namespace
 
 CrestSearch::CrestSearch(const textures::DepthMap& map, const textures::Plane& depths,
-                         const CrestTree& tree, CrestLeaves leaves)
+                         const CrestTree& tree, CrestLeaves leaves, const ChordSector& sector)
     : scene_{&depths,
              &tree,
              static_cast<float>(map.texelAspect),
@@ -62,7 +62,8 @@ CrestSearch::CrestSearch(const textures::DepthMap& map, const textures::Plane& d
              map.width(),
              map.height(),
              copiesAlong(map.width(), map.width(), map.width(), map.wrap),
-             copiesAlong(map.width(), map.height(), map.height() * map.texelAspect, map.wrap)},
+             copiesAlong(map.width(), map.height(), map.height() * map.texelAspect, map.wrap),
+             sector},
       leaves_(leaves),
       reach_(std::numeric_limits<float>::infinity()) {
     if (scene_.copiesX > 0)

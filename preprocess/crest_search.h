@@ -58,9 +58,10 @@ class CrestSearch {
     /// left out along both axes: near_crests.h.
     static constexpr int kReach = 2;
 
-    /// `depths`: withBorder(map). All must outlive the search.
+    /// `depths`: withBorder(map). All must outlive the search. Chords in the directions of
+    /// `sector` alone count; those to a cell that is there in part may count as a whole.
     CrestSearch(const textures::DepthMap& map, const textures::Plane& depths, const CrestTree& tree,
-                CrestLeaves leaves);
+                CrestLeaves leaves, const ChordSector& sector = {});
 
     /// The slopes of a block, rounded up to few bits (so that no order of search changes them), and
     /// at least `known` rounded up. Values beyond width and height are undefined.
@@ -106,6 +107,7 @@ class CrestSearch {
         int height;
         int copiesX;  ///< to each side
         int copiesY;
+        ChordSector sector;
     };
 
   private:

@@ -150,6 +150,21 @@ inline float leastTowards(const CrestTree::Node& node, const DirectionRange& ran
     return std::min(depths[0], depths[1]);
 }
 
+// The same of the leaves where a ray of a sector may come out, for a range within it.
+inline float leastWithin(const CrestTree::Node& node, const DirectionRange& range,
+                         const ChordSector& sector) {
+    const bool isLeft = sector.signX < 0.0f;
+    const bool isUp = sector.signY < 0.0f;
+    const float leastX = isLeft ? -range.dxLast : range.dxFirst;
+    const float mostX = isLeft ? -range.dxFirst : range.dxLast;
+    const float leastY = isUp ? -range.dyLast : range.dyFirst;
+    const float mostY = isUp ? -range.dyFirst : range.dyLast;
+    const float* const least = node.least.data() + (isLeft ? 2 : 0) + (isUp ? 4 : 0);
+    const float shallow = mostX >= leastY ? least[0] : std::numeric_limits<float>::infinity();
+    const float steep = mostY >= leastX ? least[1] : std::numeric_limits<float>::infinity();
+    return std::min(shallow, steep);
+}
+
 // The leaves of a node along one axis, in texels, and how far they are from the packet.
 struct CrestSpan {
     float first;
@@ -160,7 +175,9 @@ struct CrestSpan {
 // Steps along one axis into such a span, from the apexes of a half of the packet.
 struct CrestSteps {
     Lanes squaredGaps;
-    Lanes growth;  // the most that the depth may grow by them
+    Lanes growth;   // the most that the depth may grow by them
+    Lanes nearest;  // of those in the sector that is searched, in the metric
+    Lanes farthest;
 };
 
 // Which apexes of a packet something counts for.
@@ -168,8 +185,8 @@ struct CrestMasks {
     LaneMask of[kQuarters];
 };
 
-// The search of one packet.
-template <typename Leaves>
+// The search of one packet, in one sector of directions or in all.
+template <typename Leaves, bool kInSector>
 class CrestTraversal {
   public:
     using Place = CrestSearch::Place;
@@ -196,6 +213,7 @@ class CrestTraversal {
                 (reflection / 2 != 0 && scene_.copiesY == 0))
                 continue;
             reflection_ = reflection;
+            sector_ = sectorSeenReflected();
             placeApexes(packet);
             for (const Place& seed : seeds)
                 if (seed.reflection == reflection)
@@ -263,12 +281,27 @@ class CrestTraversal {
         return spanOf(level, j, tree_.rows, place.copyJ, apexes_.top, apexes_.bottom);
     }
     [[nodiscard]] static CrestSteps stepsTo(const CrestSpan& span, Lanes positions, float aspect,
-                                            float low, float high) {
-        const Lanes toFirst = span.first - positions - Leaves::kHalfSide;
-        const Lanes toLast = span.last - positions + Leaves::kHalfSide;
+                                            float sign, float low, float high) {
+        Lanes toFirst = span.first - positions - Leaves::kHalfSide;
+        Lanes toLast = span.last - positions + Leaves::kHalfSide;
+        if (kInSector && sign > 0.0f)
+            toFirst = larger(toFirst, Lanes{});
+        else if (kInSector)
+            toLast = smaller(toLast, Lanes{});
         const Lanes gaps = larger(larger(toFirst, -toLast), Lanes{}) * aspect;
         return {gaps * gaps,
-                larger(larger(low * toFirst, low * toLast), larger(high * toFirst, high * toLast))};
+                larger(larger(low * toFirst, low * toLast), larger(high * toFirst, high * toLast)),
+                (sign > 0.0f ? toFirst : -toLast) * aspect,
+                (sign > 0.0f ? toLast : -toFirst) * aspect};
+    }
+    [[nodiscard]] LaneMask isAhead(const CrestSteps& across, const CrestSteps& down) const {
+        const LaneMask exists =
+            (across.nearest <= across.farthest) & (down.nearest <= down.farthest);
+        if (sector_.half == ChordSector::Half::Shallow)
+            return exists & (down.nearest <= across.farthest * kBorderSlack);
+        if (sector_.half == ChordSector::Half::Steep)
+            return exists & (across.nearest <= down.farthest * kBorderSlack);
+        return exists;
     }
 
     // Whether a chord to a leaf there, none less deep than `least`, may be steeper than the slope
@@ -277,10 +310,10 @@ class CrestTraversal {
                                       const GradientBox& box) const {
         const auto& quarters = apexes_.quarters;
         const auto alongX = [&](const CrestQuarter& apexes) {
-            return stepsTo(columns, apexes.x, 1.0f, box.xLeast, box.xMost);
+            return stepsTo(columns, apexes.x, 1.0f, sector_.signX, box.xLeast, box.xMost);
         };
         const auto alongY = [&](const CrestQuarter& apexes) {
-            return stepsTo(rows, apexes.y, scene_.aspect, box.yLeast, box.yMost);
+            return stepsTo(rows, apexes.y, scene_.aspect, sector_.signY, box.yLeast, box.yMost);
         };
         const CrestSteps x[2] = {alongX(quarters[0]), alongX(quarters[1])};
         const CrestSteps y[2] = {alongY(quarters[0]), alongY(quarters[2])};
@@ -293,6 +326,8 @@ class CrestTraversal {
             const Lanes growth = across.growth + down.growth;
             masks.of[quarter] = (difference * difference > limit_[quarter] * square) &
                                 (Leaves::kMayTwist ? growth >= Lanes{} : growth > Lanes{});
+            if constexpr (kInSector)
+                masks.of[quarter] &= isAhead(across, down);
         }
         return masks;
     }
@@ -309,8 +344,26 @@ class CrestTraversal {
     }
 
     [[nodiscard]] DirectionRange directions(const CrestSpan& x, const CrestSpan& y) const {
-        return {x.first - apexes_.right, x.last - apexes_.left, y.first - apexes_.bottom,
-                y.last - apexes_.top};
+        StepRange<float> steps{{x.first - apexes_.right, y.first - apexes_.bottom},
+                               {x.last - apexes_.left, y.last - apexes_.top}};
+        if constexpr (kInSector)
+            keepInSector(sector_, scene_.aspect, steps);
+        return {steps.first[0], steps.last[0], steps.first[1], steps.last[1]};
+    }
+    [[nodiscard]] float leastOf(const CrestTree::Node& node, const DirectionRange& range) const {
+        if constexpr (kInSector)
+            return leastWithin(node, range, sector_);
+        else
+            return leastTowards(node, range);
+    }
+
+    [[nodiscard]] ChordSector sectorSeenReflected() const {
+        ChordSector sector = scene_.sector;
+        if (reflection_ % 2 != 0)
+            sector.signX = -sector.signX;
+        if (reflection_ / 2 != 0)
+            sector.signY = -sector.signY;
+        return sector;
     }
 
     // Sorted, the most promising on top of what was pushed since `first`.
@@ -375,10 +428,12 @@ class CrestTraversal {
                   std::size_t first) {
         const CrestTree::Node& node = tree_.node(level, place.i, place.j);
         const DirectionRange range = directions(x, y);
+        if (kInSector && (range.dxFirst > range.dxLast || range.dyFirst > range.dyLast))
+            return;
         const float growth = mostGrowth(node.gradients, range);
         if (!(Leaves::kMayTwist ? growth >= 0.0f : growth > 0.0f))
             return;
-        const float least = leastTowards(node, range);
+        const float least = leastOf(node, range);
         if (!(least < apexes_.greatestDepth))
             return;
         const float bound = boundOf(x, y, least);
@@ -489,6 +544,7 @@ class CrestTraversal {
     SlopeSearchStatistics& statistics_;
 
     int reflection_ = 0;
+    ChordSector sector_;  // with reflected axes
     CrestApexes apexes_{};
     Lanes square_[kQuarters]{};  // of the steepest slopes so far
     Lanes top_[kQuarters]{};     // their roots, rounded up
@@ -498,15 +554,27 @@ class CrestTraversal {
     Place places_[kQuarters][kLanes];
 };
 
+template <typename Leaves>
+void findCrests(const CrestSearch::Scene& scene, std::vector<CrestSearch::Node>& stack,
+                SlopeSearchStatistics& statistics, const CrestSearch::Packet& packet,
+                std::span<const CrestSearch::Place> seeds, CrestSearch::Found& found) {
+    const auto run = [&](auto traversal) {
+        traversal.run(packet, seeds);
+        traversal.store(found);
+    };
+    if (scene.sector.isAll())
+        run(CrestTraversal<Leaves, false>(scene, stack, statistics));
+    else
+        run(CrestTraversal<Leaves, true>(scene, stack, statistics));
+}
+
 [[gnu::flatten]] inline void findTexelCrests(const CrestSearch::Scene& scene,
                                              std::vector<CrestSearch::Node>& stack,
                                              SlopeSearchStatistics& statistics,
                                              const CrestSearch::Packet& packet,
                                              std::span<const CrestSearch::Place> seeds,
                                              CrestSearch::Found& found) {
-    CrestTraversal<TexelLeaves> traversal(scene, stack, statistics);
-    traversal.run(packet, seeds);
-    traversal.store(found);
+    findCrests<TexelLeaves>(scene, stack, statistics, packet, seeds, found);
 }
 
 [[gnu::flatten]] inline void findCellCrests(const CrestSearch::Scene& scene,
@@ -515,7 +583,5 @@ class CrestTraversal {
                                             const CrestSearch::Packet& packet,
                                             std::span<const CrestSearch::Place> seeds,
                                             CrestSearch::Found& found) {
-    CrestTraversal<CellLeaves> traversal(scene, stack, statistics);
-    traversal.run(packet, seeds);
-    traversal.store(found);
+    findCrests<CellLeaves>(scene, stack, statistics, packet, seeds, found);
 }

@@ -24,8 +24,9 @@ constexpr int kMostPairs = 512;
 
 namespace relievo::preprocess {
 
-NearCrests::NearCrests(double aspect) : surface_{} {
+NearCrests::NearCrests(double aspect, const ChordSector& sector) : surface_{} {
     surface_.aspect = static_cast<float>(aspect);
+    surface_.sector = sector;
 }
 
 void NearCrests::begin(const textures::DepthMap& map, int left, int top) {

@@ -24,7 +24,8 @@ namespace relievo::preprocess {
 /// Pairs are halved until their bounds are nearly attained by a chord.
 class NearCrests {
   public:
-    explicit NearCrests(double aspect);
+    /// Chords in the directions of `sector` alone count.
+    explicit NearCrests(double aspect, const ChordSector& sector = {});
 
     /// Goes to the block of `map` whose first texel is (left,top).
     void begin(const textures::DepthMap& map, int left, int top);
@@ -68,6 +69,7 @@ class NearCrests {
         static constexpr int kSide = kBlockSize + 2 * kBorder;
         std::array<float, static_cast<std::size_t>(kSide) * kSide + kLanes> depths;
         float aspect;
+        ChordSector sector;
         [[nodiscard]] const float* texel(int i, int j) const noexcept {
             return depths.data() + (j + kBorder) * kSide + i + kBorder;
         }

@@ -23,12 +23,39 @@ inline bool isBeside(int x, int y) {
     return x >= -kBeside - 1 && x <= kBeside && y >= -kBeside - 1 && y <= kBeside;
 }
 
-// Calls visit(x, y) for the cells around a texel.
+// Cells along an axis that chords from the square of texel 0 in directions of a sign lead through,
+// of those from `first` to `last`.
+struct CellSpan {
+    int first;
+    int last;
+};
+inline CellSpan cellsAhead(float sign, int first, int last) {
+    return {sign > 0.0f ? -1 : first, sign < 0.0f ? 0 : last};
+}
+
+// Leaves what is in the sector; false without any.
+inline bool keepInSector(const Squares& squares, StepRange<float>& steps) {
+    if (squares.sector.isAll())
+        return true;
+    keepInSector(squares.sector, squares.aspect, steps);
+    return steps.first[0] <= steps.last[0] && steps.first[1] <= steps.last[1];
+}
+inline bool isInSector(const Squares& squares, float x, float y) {
+    StepRange<float> step{{x, y}, {x, y}};
+    return keepInSector(squares, step);
+}
+
+// Calls visit(x, y) for the cells around a texel where chords of the sector may end.
 template <typename Visit>
-void forEachCell(const Visit& visit) {
+void forEachCell(const Squares& squares, const Visit& visit) {
     for (int y = -kReach - 1; y <= kReach; ++y)
-        for (int x = -kReach - 1; x <= kReach; ++x)
-            visit(x, y);
+        for (int x = -kReach - 1; x <= kReach; ++x) {
+            const auto left = static_cast<float>(x);
+            const auto top = static_cast<float>(y);
+            StepRange<float> steps{{left - 0.5f, top - 0.5f}, {left + 1.5f, top + 1.5f}};
+            if (keepInSector(squares, steps))
+                visit(x, y);
+        }
 }
 
 // One over a squared length, from which a correction was taken.
@@ -54,6 +81,10 @@ inline Lanes attainedBetween(const Squares& squares, const CellLanes& cell, int 
     const CornerSteps<float> down = cornerSteps(static_cast<float>(y));
     float perSquare[3][3];
     reciprocals(across, down, squares.aspect, 0.0f, perSquare);
+    for (int b = 0; b < 3; ++b)
+        for (int a = 0; a < 3; ++a)
+            if (!isInSector(squares, across.at[a], down.at[b]))
+                perSquare[b][a] = 0.0f;
     const Lanes growthX[2] = {cell.depth[1] - cell.depth[0], cell.depth[3] - cell.depth[2]};
     const Lanes growthY[2] = {cell.depth[2] - cell.depth[0], cell.depth[3] - cell.depth[1]};
     Lanes steepest{};
@@ -77,12 +108,20 @@ inline Lanes attainedBetween(const Squares& squares, const CellLanes& cell, int 
         for (int i = 0; i < kBlockSize; i += kLanes) {
             const Squares squares = squaresAt(surface, i, j);
             Lanes steepest{};
-            forEachCell([&](int x, int y) {
+            forEachCell(squares, [&](int x, int y) {
                 steepest = larger(steepest,
                                   attainedBetween(squares, CellLanes(squares.texel, x, y), x, y));
             });
             storeLanes(squareRoots(steepest), &slopes[blockIndex(i, j)]);
         }
+}
+
+// The most that the depth may grow at the ends in a cell of chords of the sector, the steps of
+// which are in the range; −kUnbounded where there are no such chords.
+inline Lanes growthWithin(const Squares& squares, const CellLanes& cell, StepRange<float> steps) {
+    if (!keepInSector(squares, steps))
+        return splat(-kUnbounded);
+    return mostGrowth(gradientBox(cell.depth, Lanes{}, Lanes{}, splat(1.0f), splat(1.0f)), steps);
 }
 
 // The squares of bounds on the slopes of chords from squares to cells that do not touch them.
@@ -102,7 +141,12 @@ inline Lanes boundBetween(const Squares& squares, int x, int y) {
             tangents =
                 larger(tangents, pair.tangents[b][a] * pair.tangents[b][a] * perSquare[b][a]);
         }
-    return pair.growth > Lanes{} ? smaller(chords, tangents) : Lanes{};
+    Lanes growth = pair.growth;
+    if (!squares.sector.isAll())
+        growth = smaller(
+            growth,
+            growthWithin(squares, cell, {{across.at[0], down.at[0]}, {across.at[2], down.at[2]}}));
+    return growth > Lanes{} ? smaller(chords, tangents) : Lanes{};
 }
 
 // The least box around gradients, in the metric.
@@ -167,6 +211,12 @@ inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y) {
     Lanes bound = smaller(chords, tangents);
     const int ownX = column - 1;
     const int ownY = row - 1;
+    if (!squares.sector.isAll()) {
+        const float firstX = static_cast<float>(x) - 0.5f * static_cast<float>(column);
+        const float firstY = static_cast<float>(y) - 0.5f * static_cast<float>(row);
+        growth = smaller(growth, growthWithin(squares, cell,
+                                              {{firstX, firstY}, {firstX + 1.5f, firstY + 1.5f}}));
+    }
     if (std::abs(x - ownX) <= 1 && std::abs(y - ownY) <= 1)
         bound = smaller(bound, gradientDifference(squares, std::min(x, ownX), std::min(y, ownY),
                                                   std::max(x, ownX), std::max(y, ownY)));
@@ -176,15 +226,16 @@ inline Lanes quarterBound(const Squares& squares, int quarter, int x, int y) {
 // The search of sixteen texels. Level by level: all open pairs are bounded, then those whose bound
 // may be much more than what some chord attains are halved, so that what is found for a texel does
 // not depend on those beside it.
+template <bool kInSector>
 class NearCrestSearch {
   public:
     // `known`: squared slopes that are attained.
-    NearCrestSearch(const Surroundings& surface, const float* texel, float aspect, Lanes known,
-                    OpenPairs& open)
+    NearCrestSearch(const Surroundings& surface, const float* texel, Lanes known, OpenPairs& open)
         : depths_(surface.depths.data()),
           left_(static_cast<int>(texel - depths_) % Surroundings::kSide),
           top_(static_cast<int>(texel - depths_) / Surroundings::kSide),
-          aspect_(aspect),
+          aspect_(surface.aspect),
+          sector_(surface.sector),
           open_(open) {
         storeLanes(known, attained_);
         storeLanes(known, accepted_);
@@ -193,9 +244,11 @@ class NearCrestSearch {
     void openFrom(const Squares& squares) {
         open_.pairs.clear();
         const Lanes known = loadLanes(attained_);
+        const CellSpan across = cellsAhead(sector_.signX, -kBeside - 1, kBeside);
+        const CellSpan down = cellsAhead(sector_.signY, -kBeside - 1, kBeside);
         const bool besideMatters = anyLane(
-            gradientDifference(squares, -kBeside - 1, -kBeside - 1, kBeside, kBeside) > known);
-        forEachCell([&](int x, int y) {
+            gradientDifference(squares, across.first, down.first, across.last, down.last) > known);
+        forEachCell(squares, [&](int x, int y) {
             if (!isBeside(x, y))
                 openQuarters(boundBetween(squares, x, y) > known, x, y);
             else if (besideMatters)
@@ -250,8 +303,8 @@ class NearCrestSearch {
         open_.bounds.resize(pairs.size());
         for (std::size_t first = 0; first < count; first += kLanes) {
             const PairLanes some = loadPairs(&pairs[first], depths_);
-            const PairSlopes slopes =
-                pairSlopes(some, depths_, aspect_, gatherLanes(accepted_, some.texel));
+            const PairSlopes slopes = pairSlopes<kInSector>(some, depths_, aspect_, sector_,
+                                                            gatherLanes(accepted_, some.texel));
             storeLanes(slopes.bound, &open_.bounds[first]);
             alignas(64) float attained[kLanes];
             storeLanes(slopes.attained, attained);
@@ -314,23 +367,33 @@ class NearCrestSearch {
     int left_;  // of the first texel in the surroundings
     int top_;
     float aspect_;
+    ChordSector sector_;
     OpenPairs& open_;
     alignas(64) float attained_[kLanes];  // by a chord
     alignas(64) float accepted_[kLanes];  // the greatest bound that was good enough
     std::uint64_t pairs_ = 0;
 };
 
-[[gnu::flatten]] inline void refineNearCrests(const Surroundings& surface, OpenPairs& open,
-                                              std::uint64_t& pairs, int width, int height,
-                                              BlockValues& slopes) {
+template <bool kInSector>
+void refineBlock(const Surroundings& surface, OpenPairs& open, std::uint64_t& pairs, int width,
+                 int height, BlockValues& slopes) {
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; i += kLanes) {
             const Squares squares = squaresAt(surface, i, j);
             float* const known = &slopes[blockIndex(i, j)];
-            NearCrestSearch search(surface, squares.texel, squares.aspect,
-                                   squareOf(loadLanes(known)), open);
+            NearCrestSearch<kInSector> search(surface, squares.texel, squareOf(loadLanes(known)),
+                                              open);
             search.openFrom(squares);
             storeLanes(larger(squareRoots(search.run()), loadLanes(known)), known);
             pairs += search.pairs();
         }
+}
+
+[[gnu::flatten]] inline void refineNearCrests(const Surroundings& surface, OpenPairs& open,
+                                              std::uint64_t& pairs, int width, int height,
+                                              BlockValues& slopes) {
+    if (surface.sector.isAll())
+        refineBlock<false>(surface, open, pairs, width, height, slopes);
+    else
+        refineBlock<true>(surface, open, pairs, width, height, slopes);
 }

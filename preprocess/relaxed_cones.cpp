@@ -4,7 +4,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
+#include <utility>
 
 #include "preprocess/crest_search.h"
 #include "preprocess/crest_tree.h"
@@ -29,8 +31,9 @@ struct State {
     CrestBlock block;
     BlockValues slopes;
 
-    State(const DepthMap& map, const Plane& depths, const CrestTree& tree, CrestLeaves leaves)
-        : search(map, depths, tree, leaves), near(map.texelAspect) {}
+    State(const DepthMap& map, const Plane& depths, const CrestTree& tree, CrestLeaves leaves,
+          const ChordSector& sector)
+        : search(map, depths, tree, leaves, sector), near(map.texelAspect, sector) {}
 
     [[nodiscard]] SlopeSearchStatistics work() const {
         SlopeSearchStatistics sum = search.statistics();
@@ -78,15 +81,35 @@ void storeRatios(const State& state, double depthRounding, Plane& ratio) {
         }
 }
 
-}  // namespace
+// A relief prepared for the search of its crests.
+struct Crests {
+    const DepthMap& map;
+    bool isBilinear;
+    Plane depths;
+    CrestTree tree;
 
-Plane buildRelaxedCones(const DepthMap& map, ConeGuarantee guarantee, const Advance& advance,
-                        SlopeSearchStatistics* statistics) {
-    const bool isBilinear = guarantee == ConeGuarantee::Bilinear;
-    const Plane depths = withBorder(map);
-    const CrestTree tree = isBilinear ? buildCellCrestTree(depths) : buildTexelCrestTree(depths);
+    Crests(const DepthMap& relief, ConeGuarantee guarantee)
+        : map(relief),
+          isBilinear(guarantee == ConeGuarantee::Bilinear),
+          depths(withBorder(relief)),
+          tree(isBilinear ? buildCellCrestTree(depths) : buildTexelCrestTree(depths)) {}
+};
+
+// Where a chord to a point far outside is taken for one to the border beside it, which has another
+// direction (crest_search.h), quadrants are not divided.
+ChordSector sectorOn(const DepthMap& map, int number, int sectors) {
+    ChordSector sector = chordSector(number, sectors);
+    if (map.wrap == textures::WrapMode::Clamp || map.width() == 1 || map.height() == 1)
+        sector.half = ChordSector::Half::Both;
+    return sector;
+}
+
+Plane ratiosOf(const Crests& crests, const ChordSector& sector, const Advance& advance,
+               SlopeSearchStatistics* statistics) {
+    const DepthMap& map = crests.map;
     tbb::enumerable_thread_specific<State> states([&] {
-        return State(map, depths, tree, isBilinear ? CrestLeaves::Cells : CrestLeaves::Texels);
+        return State(map, crests.depths, crests.tree,
+                     crests.isBilinear ? CrestLeaves::Cells : CrestLeaves::Texels, sector);
     });
     Plane ratio(map.width(), map.height());
     const int columns = (map.width() + kBlockSize - 1) / kBlockSize;
@@ -94,20 +117,44 @@ Plane buildRelaxedCones(const DepthMap& map, ConeGuarantee guarantee, const Adva
     tbb::parallel_for(0, columns * rows, [&](int index) {
         State& state = states.local();
         const CrestBlock& block = goTo(state, map, index);
-        if (isBilinear)
+        if (crests.isBilinear)
             findBilinearSlopes(state, map);
         else
             findTexelSlopes(state, map);
-        storeRatios(state, isBilinear ? kDepthRounding : 0.0, ratio);
+        storeRatios(state, crests.isBilinear ? kDepthRounding : 0.0, ratio);
         if (advance)
             advance(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     });
-    if (statistics != nullptr) {
-        *statistics = {};
+    if (statistics != nullptr)
         for (const State& state : states)
             *statistics += state.work();
-    }
     return ratio;
+}
+
+}  // namespace
+
+Plane buildRelaxedCones(const DepthMap& map, ConeGuarantee guarantee, const Advance& advance,
+                        SlopeSearchStatistics* statistics) {
+    return std::move(buildRelaxedConeSectors(map, guarantee, 1, advance, statistics).front());
+}
+
+std::vector<Plane> buildRelaxedConeSectors(const DepthMap& map, ConeGuarantee guarantee,
+                                           int sectors, const Advance& advance,
+                                           SlopeSearchStatistics* statistics) {
+    assert(sectors == 1 || sectors == 4 || sectors == 8);
+    if (statistics != nullptr)
+        *statistics = {};
+    const Crests crests(map, guarantee);
+    std::vector<Plane> ratios;
+    for (int k = 0; k < sectors; ++k) {
+        const ChordSector sector = sectorOn(map, k, sectors);
+        const bool isBuilt = k >= 4 && sector.half == ChordSector::Half::Both;
+        ratios.push_back(isBuilt ? Plane(ratios[static_cast<std::size_t>(k - 4)])
+                                 : ratiosOf(crests, sector, advance, statistics));
+        if (isBuilt && advance)
+            advance(map.depth.texels.size());
+    }
+    return ratios;
 }
 
 }  // namespace relievo::preprocess

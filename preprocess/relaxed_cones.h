@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "preprocess/conservative_cones.h"
 #include "preprocess/slope_search.h"
@@ -30,5 +31,13 @@ namespace relievo::preprocess {
 textures::Plane buildRelaxedCones(const textures::DepthMap& map, ConeGuarantee guarantee,
                                   const std::function<void(std::size_t)>& advance = {},
                                   SlopeSearchStatistics* statistics = nullptr);
+
+/// The same for the rays of each of 1, 4 or 8 sectors of directions, in the order of chordSector
+/// (slope_search.h): only what lies ahead of a ray limits its cone. `advance` is called with
+/// `sectors` times the texels of the map in all.
+std::vector<textures::Plane> buildRelaxedConeSectors(
+    const textures::DepthMap& map, ConeGuarantee guarantee, int sectors,
+    const std::function<void(std::size_t)>& advance = {},
+    SlopeSearchStatistics* statistics = nullptr);
 
 }  // namespace relievo::preprocess

@@ -32,18 +32,12 @@ constexpr double kSlopeRounding = 1e-6;
 constexpr int kWindow = 16;
 constexpr double kHalfSide = 0.5;  // of a cell
 
-ChordSector sectorOf(int sector, int sectors, const DepthMap& map) {
-    if (sectors == 1)
-        return {};
-    ChordSector result;
-    result.signX = sector % 2 == 0 ? 1.0f : -1.0f;
-    result.signY = sector / 2 % 2 == 0 ? 1.0f : -1.0f;
-    if (sectors == 8)
-        result.half = sector >= 4 ? ChordSector::Half::Steep : ChordSector::Half::Shallow;
+ChordSector sectorOfCells(int number, int sectors, const DepthMap& map) {
+    ChordSector sector = chordSector(number, sectors);
     // From the middle of one cell to a corner of another: chords between any points of the two may
     // differ by one and a half texels along each axis; and the cell before texel 0 shares an entry.
-    result.slack = static_cast<float>(2.5 * (1.0 + map.texelAspect));
-    return result;
+    sector.slack = static_cast<float>(2.5 * (1.0 + map.texelAspect));
+    return sector;
 }
 
 // The samples of a cell's block along an axis: from `before` before the cell's number to `after`.
@@ -157,7 +151,7 @@ std::vector<RoofConeLayer> buildRoofCones(const DepthMap& map, const RoofConeRul
     const ReliefTree tree = buildReliefTree(map.depth);
     std::vector<RoofConeLayer> layers;
     for (int k = 0; k < rules.sectors; ++k) {
-        const ChordSector sector = sectorOf(k, rules.sectors, map);
+        const ChordSector sector = sectorOfCells(k, rules.sectors, map);
         RoofConeLayer layer;
         layer.roof =
             roofsOf(map, reachOf(sector.signX, rules.block), reachOf(sector.signY, rules.block));

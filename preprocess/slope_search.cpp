@@ -50,6 +50,17 @@ std::vector<TileCopy> copiesFor(const SlopeSearchSpace& space, const ChordSector
 
 }  // namespace
 
+ChordSector chordSector(int number, int sectors) noexcept {
+    ChordSector sector;
+    if (sectors == 1)
+        return sector;
+    sector.signX = number % 2 == 0 ? 1.0f : -1.0f;
+    sector.signY = number / 2 % 2 == 0 ? 1.0f : -1.0f;
+    if (sectors == 8)
+        sector.half = number >= 4 ? ChordSector::Half::Steep : ChordSector::Half::Shallow;
+    return sector;
+}
+
 bool ChordSector::counts(double fromX, double fromY, double halfSide,
                          double halfHeight) const noexcept {
     // The samples at the near corners of the cell count.

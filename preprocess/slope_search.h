@@ -20,20 +20,25 @@ struct SlopeSearchStatistics {
     SlopeSearchStatistics& operator+=(const SlopeSearchStatistics& other) noexcept;
 };
 
-/// The directions of the chords that count, for apexes that are cells: chords between any point of
-/// the cell and any point of a cell with the sample at a corner.
+/// The directions of the chords that count, those on the border of a sector included.
 struct ChordSector {
     enum class Half { Both, Shallow, Steep };
     float signX = 0.0f;      ///< ±1: towards greater or smaller columns; 0: both
     float signY = 0.0f;      ///< the same for rows
-    Half half = Half::Both;  ///< of a quadrant: |dx| ≥ |dy| or |dx| ≤ |dy|
+    Half half = Half::Both;  ///< of a quadrant: |dx| ≥ |dy| or |dx| ≤ |dy| in the metric
     float slack = 0.0f;      ///< how far past its border a half goes, along an axis
 
-    /// Whether a sample counts that is (fromX,fromY) texel widths from the middle of a cell of the
-    /// given half sides.
+    [[nodiscard]] bool isAll() const noexcept { return signX == 0.0f; }
+    /// For apexes that are cells, with chords between any point of the cell and any point of a cell
+    /// with the sample at a corner: whether a sample counts that is (fromX,fromY) texel widths from
+    /// the middle of a cell of the given half sides.
     [[nodiscard]] bool counts(double fromX, double fromY, double halfSide,
                               double halfHeight) const noexcept;
 };
+
+/// Sector `number` of 1, 4 or 8: all directions, or the quadrant (dx<0) + 2·(dy<0), of eight the
+/// half that is steep + 4.
+ChordSector chordSector(int number, int sectors) noexcept;
 
 /// The rules of one kind of search. Lengths in texel widths.
 struct SlopeSearchRules {

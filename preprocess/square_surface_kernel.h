@@ -57,13 +57,14 @@ struct CellLanes {
 struct Squares {
     const float* texel;
     float aspect;
+    ChordSector sector;  // of the chords that count
     SquareDepths depths;
     Lanes patch[4];  // depths at the corners of a patch that is nowhere above the surface
 };
 
 inline Squares squaresAt(const Surroundings& surface, int i, int j) {
     const float* const texel = surface.texel(i, j);
-    Squares squares{texel, surface.aspect, squareDepths(texel), {}};
+    Squares squares{texel, surface.aspect, surface.sector, squareDepths(texel), {}};
     squareCorners(squares.depths, squares.patch);
     return squares;
 }

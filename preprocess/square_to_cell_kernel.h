@@ -5,6 +5,43 @@
 
 constexpr float kUnbounded = 1e30f;
 
+// Borders between the halves of quadrants are wider by this than what floats may do to them.
+constexpr float kBorderSlack = 1.00001f;
+
+// Steps in a rectangle, in texels: [0] columns, [1] rows.
+template <typename Length>
+struct StepRange {
+    Length first[2];
+    Length last[2];
+};
+
+// Leaves of the steps from `least` to `most` along an axis; counted along it, or against it.
+template <typename Length>
+void keepSteps(StepRange<Length>& steps, int axis, float sign, Length least, Length most) {
+    const Length low = sign > 0.0f ? least : -most;
+    const Length high = sign > 0.0f ? most : -least;
+    steps.first[axis] = steps.first[axis] > low ? steps.first[axis] : low;
+    steps.last[axis] = steps.last[axis] < high ? steps.last[axis] : high;
+}
+
+// Leaves of a range the least rectangle around its part in a sector; first > last without any.
+template <typename Length>
+void keepInSector(const ChordSector& sector, float aspect, StepRange<Length>& steps) {
+    const float sign[2] = {sector.signX, sector.signY};
+    const Length farthest[2] = {sign[0] > 0.0f ? steps.last[0] : -steps.first[0],
+                                sign[1] > 0.0f ? steps.last[1] : -steps.first[1]};
+    for (int axis = 0; axis < 2; ++axis)
+        keepSteps(steps, axis, sign[axis], Length{}, farthest[axis]);
+    if (sector.half == ChordSector::Half::Both)
+        return;
+    const int along = sector.half == ChordSector::Half::Shallow ? 0 : 1;
+    const int across = 1 - along;
+    const float ratio = (along == 0 ? 1.0f / aspect : aspect) * kBorderSlack;
+    const Length nearest = sign[across] > 0.0f ? steps.first[across] : -steps.last[across];
+    keepSteps(steps, across, sign[across], nearest, farthest[along] * ratio);
+    keepSteps(steps, along, sign[along], nearest / ratio, farthest[along]);
+}
+
 // Steps from the corners of a square to those of a cell along one axis, in texels: index 1 + the
 // cell's corner − the square's. Lanes, or a float where they are the same for all.
 template <typename Length>

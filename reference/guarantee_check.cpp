@@ -4,7 +4,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "reference/adversarial_rays.h"
+#include "reference/ray_sector.h"
 #include "reference/roof_map.h"
 #include "reference/surface_crossings.h"
 #include "textures/bilinear.h"
@@ -63,7 +63,7 @@ double coneStep(const DepthMap& relief, const glm::dvec3& direction, double rati
     return ratio > 0.0 ? std::min(gap / closing, longest) : 0.0;
 }
 
-std::optional<AllowedStep> drawConeStep(const DepthMap& relief, const Plane& ratio,
+std::optional<AllowedStep> drawConeStep(const DepthMap& relief, std::span<const Plane> ratios,
                                         RayNumbers numbers) {
     const glm::dvec2 place = drawPlace(relief, numbers);
     const double depth = textures::sampleBilinear(relief.depth, place.x, place.y, relief.wrap);
@@ -73,7 +73,9 @@ std::optional<AllowedStep> drawConeStep(const DepthMap& relief, const Plane& rat
         return std::nullopt;
     const int i = std::min(static_cast<int>(place.x * relief.width()), relief.width() - 1);
     const int j = std::min(static_cast<int>(place.y * relief.height()), relief.height() - 1);
-    const double length = coneStep(relief, ray->direction, ratio.at(i, j), depth - ray->origin.z);
+    const int sector = raySector(ray->direction, relief.aspect(), static_cast<int>(ratios.size()));
+    const double ratio = ratios[static_cast<std::size_t>(sector)].at(i, j);
+    const double length = coneStep(relief, ray->direction, ratio, depth - ray->origin.z);
     return AllowedStep{*ray, length, i, j};
 }
 
@@ -181,14 +183,19 @@ Tally checkSteps(const DepthMap& relief, ConePromise promise, const GuaranteeChe
 
 }  // namespace
 
-GuaranteeReport checkCones(const DepthMap& relief, const Plane& ratio, ConePromise promise,
-                           const GuaranteeCheckOptions& options) {
+GuaranteeReport checkCones(const DepthMap& relief, std::span<const Plane> ratios,
+                           ConePromise promise, const GuaranteeCheckOptions& options) {
     assert(relief.width() > 0 && relief.height() > 0);
-    assert(ratio.width == relief.width() && ratio.height == relief.height());
+    assert(ratios.size() == 1 || ratios.size() == 4 || ratios.size() == 8);
     const Tally tally = checkSteps(relief, promise, options, [&](RayNumbers numbers) {
-        return drawConeStep(relief, ratio, numbers);
+        return drawConeStep(relief, ratios, numbers);
     });
-    return reportOn(tally, options.rays, std::array{&ratio});
+    std::vector<const Plane*> planes;
+    for (const Plane& ratio : ratios) {
+        assert(ratio.width == relief.width() && ratio.height == relief.height());
+        planes.push_back(&ratio);
+    }
+    return reportOn(tally, options.rays, planes);
 }
 
 GuaranteeReport checkRoofs(const DepthMap& relief, const RoofMap& roofs,

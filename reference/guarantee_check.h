@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "reference/bilinear_tracer.h"
 #include "reference/roof_map.h"
@@ -51,13 +52,19 @@ struct GuaranteeReport {
 /// cone step of each and traces it exactly, in double precision. The step is that of a search which
 /// reads the ratio of the texel that holds the point (NEAREST) and the depth of the surface there
 /// (LINEAR): from (P,z) it goes on to where the ray leaves the cone with its apex on the surface
-/// below P. `ratio` is in tile widths per unit of depth, ≥ 0, infinite where unlimited.
+/// below P. `ratios` are in tile widths per unit of depth, ≥ 0, infinite where unlimited: one for
+/// each of 1, 4 or 8 sectors of directions (ray_sector.h).
 ///
 /// One step a ray is enough: those of a whole march are such steps too. A step is followed for two
 /// tiles; cones that hold something hold the nearest copy of it as well. What goes wrong by no more
 /// than kPiercingDepth does not count. The report depends on the arguments alone, not on threads.
-GuaranteeReport checkCones(const textures::DepthMap& relief, const textures::Plane& ratio,
-                           ConePromise promise, const GuaranteeCheckOptions& options = {});
+GuaranteeReport checkCones(const textures::DepthMap& relief,
+                           std::span<const textures::Plane> ratios, ConePromise promise,
+                           const GuaranteeCheckOptions& options = {});
+inline GuaranteeReport checkCones(const textures::DepthMap& relief, const textures::Plane& ratio,
+                                  ConePromise promise, const GuaranteeCheckOptions& options = {}) {
+    return checkCones(relief, std::span(&ratio, 1), promise, options);
+}
 
 /// The same for roof cones, which promise what conservative ones do: from (P,z) in a cell, z above
 /// its roof, the step goes on to the later of where the ray leaves the cone with its apex on the

@@ -1,10 +1,10 @@
 #include "reference/roof_map.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "reference/ray_sector.h"
 #include "textures/wrap_mode.h"
 
 namespace relievo::reference {
@@ -40,21 +40,12 @@ double axisExit(double start, double speed, std::int64_t cell, int block) {
 
 }  // namespace
 
-int roofSector(const glm::dvec2& direction, double aspect, int layers) {
-    assert(layers == 1 || layers == 4 || layers == 8);
-    if (layers == 1)
-        return 0;
-    const int quadrant = (direction.x < 0.0 ? 1 : 0) + (direction.y < 0.0 ? 2 : 0);
-    const bool isSteep = std::abs(direction.y * aspect) > std::abs(direction.x);
-    return quadrant + (layers == 8 && isSteep ? 4 : 0);
-}
-
 RoofCone roofConeAt(const RoofMap& roofs, const textures::DepthMap& relief, std::int64_t column,
                     std::int64_t row, const glm::dvec2& direction) {
     const StoredCell across = storedCell(column, relief.width(), relief.wrap, direction.x);
     const StoredCell down = storedCell(row, relief.height(), relief.wrap, direction.y);
-    const int sector = roofSector({across.direction, down.direction}, relief.aspect(),
-                                  static_cast<int>(roofs.layers.size()));
+    const int sector = raySector({across.direction, down.direction}, relief.aspect(),
+                                 static_cast<int>(roofs.layers.size()));
     const RoofLayer& layer = roofs.layers[static_cast<std::size_t>(sector)];
     return {layer.roof.at(across.texel, down.texel), layer.ratio.at(across.texel, down.texel),
             across.texel, down.texel};

@@ -21,15 +21,12 @@ struct RoofLayer {
 /// centres i and i+1, j and j+1, is stored at texel (i,j).
 ///
 /// One layer serves all directions, and the block of a cell is the cells within `block` of it. Four
-/// layers are the quadrants (vx<0) + 2·(vy<0); eight are their halves, + 4 where |vy| > |vx| in the
-/// metric. The block of a sector is the cell and the `block` next ones ahead along each axis.
+/// or eight layers are for the sectors of raySector. The block of a sector is the cell and the
+/// `block` next ones ahead along each axis.
 struct RoofMap {
     std::vector<RoofLayer> layers;  ///< 1, 4 or 8
     int block = 1;
 };
-
-/// The layer for rays that go along `direction` (in (u,v)) over a tile of height/width `aspect`.
-int roofSector(const glm::dvec2& direction, double aspect, int layers);
 
 /// What a roof map says about a cell.
 struct RoofCone {

@@ -15,6 +15,7 @@
 #include "preprocess/relaxed_cones.h"
 #include "preprocess/relaxed_cones_by_maxima.h"
 #include "preprocess/relaxed_cones_policarpo.h"
+#include "preprocess/step_progress.h"
 #include "tests/preprocess/thread_limit.h"
 #include "textures/sample_reliefs.h"
 
@@ -43,6 +44,14 @@ Plane exact(const DepthMap& map, const Advance& advance) {
 template <auto kBuild>
 Plane byLevels(const DepthMap& map, const Advance& advance) {
     return kBuild(map, 32, advance);
+}
+
+// The last of eight: `advance` is called for all of them.
+Plane bySectors(const DepthMap& map, const Advance& advance) {
+    StepProgress progress(advance, map.depth.texels.size(), 8 * map.depth.texels.size());
+    return buildRelaxedConeSectors(map, ConeGuarantee::Bilinear, 8,
+                                   [&](std::size_t texels) { progress.done(texels); })
+        .back();
 }
 
 Plane bySquares(const DepthMap& map, const Advance& advance) {
@@ -80,6 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
         Builder{"Bilinear", exact<buildConservativeCones, ConeGuarantee::Bilinear>, 170, 50},
         Builder{"RelaxedTexel", exact<buildRelaxedCones, ConeGuarantee::Texel>, 170, 50},
         Builder{"RelaxedBilinear", exact<buildRelaxedCones, ConeGuarantee::Bilinear>, 170, 50},
+        Builder{"RelaxedSectors", bySectors, 170, 50},
         Builder{"Levels", byLevels<buildConesByLevels>, 70, 50},
         Builder{"Squares", bySquares, 70, 50}, Builder{"Quick", buildQuickCones, 70, 50},
         Builder{"Maxima", byLevels<buildRelaxedConesByMaxima>, 70, 50},

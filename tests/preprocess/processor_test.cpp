@@ -27,7 +27,9 @@ std::vector<std::uint32_t> bitsOfAllCones(const DepthMap& map) {
     };
     for (const ConeGuarantee guarantee : {ConeGuarantee::Texel, ConeGuarantee::Bilinear}) {
         add(buildConservativeCones(map, guarantee));
-        add(buildRelaxedCones(map, guarantee));
+        for (const int sectors : {1, 4, 8})
+            for (const Plane& ratio : buildRelaxedConeSectors(map, guarantee, sectors))
+                add(ratio);
     }
     for (const int sectors : {1, 4, 8})
         for (const RoofConeLayer& layer : buildRoofCones(map, {.sectors = sectors})) {

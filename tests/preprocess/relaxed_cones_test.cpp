@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "preprocess/relaxed_cones.h"
 #include "reference/guarantee_check.h"
@@ -22,7 +24,7 @@ using textures::WrapMode;
 
 // How many ratios are not those of all chords to the tile and two copies to each side, where these
 // must have the steepest. Growth that rounding may change the sign of may count or not.
-int countWrong(const DepthMap& map, const Plane& ratio) {
+int countWrong(const DepthMap& map, const Plane& ratio, const SampledSector& sector = {}) {
     const SurfacePoints points{2.5 * map.width(), 2.5 * map.height(), 1.0};
     const double reach = std::min(2.0 * map.width(), 2.0 * map.height() * map.texelAspect);
     const auto least = *std::min_element(map.depth.texels.begin(), map.depth.texels.end());
@@ -31,8 +33,8 @@ int countWrong(const DepthMap& map, const Plane& ratio) {
         for (int i = 0; i < map.width(); ++i) {
             const double beyond =
                 map.wrap == WrapMode::Clamp ? 0.0 : (map.depth.at(i, j) - least) / reach;
-            const double strict = steepestChord(map, i, j, points, 1e-6);
-            const double loose = std::max(steepestChord(map, i, j, points, -1e-6), beyond);
+            const double strict = steepestChord(map, i, j, points, 1e-6, sector);
+            const double loose = std::max(steepestChord(map, i, j, points, -1e-6, sector), beyond);
             const float built = ratio.at(i, j);
             const bool isRight = built <= ratioOfSlope(map, strict) * (1.0 + 1e-9) &&
                                  built >= ratioOfSlope(map, loose) * (1.0 - 3e-6);
@@ -50,6 +52,30 @@ TEST(RelaxedCones, BetweenTexelCentresAreThoseOfAllChords) {
                 map.texelAspect = width == 13 ? 1.4 : 1.0;
                 EXPECT_EQ(countWrong(map, buildRelaxedCones(map, ConeGuarantee::Texel)), 0)
                     << width << "x" << height << " " << wrapModeName(wrap) << " " << levels;
+            }
+}
+
+// Octants are as wide as quadrants where chords to points outside end at the border beside these.
+SampledSector builtSector(const DepthMap& map, int number, int sectors) {
+    const bool isLine = map.width() == 1 || map.height() == 1;
+    if (sectors == 8 && (isLine || map.wrap == WrapMode::Clamp))
+        return {number % 4, 4};
+    return {number, sectors};
+}
+
+TEST(RelaxedCones, OfASectorBetweenTexelCentresAreThoseOfItsChords) {
+    for (const WrapMode wrap : {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp})
+        for (const auto& [width, height] : {std::pair{1, 1}, {1, 7}, {3, 3}, {17, 11}, {13, 19}})
+            for (const int sectors : {4, 8}) {
+                DepthMap map = noiseMap(width, height, wrap, 3, width == 17 ? 3 : 1 << 20);
+                map.texelAspect = width == 13 ? 1.4 : 1.0;
+                const auto ratios = buildRelaxedConeSectors(map, ConeGuarantee::Texel, sectors);
+                for (int k = 0; k < sectors; ++k)
+                    EXPECT_EQ(countWrong(map, ratios[static_cast<std::size_t>(k)],
+                                         builtSector(map, k, sectors)),
+                              0)
+                        << width << "x" << height << " " << wrapModeName(wrap) << " " << k << " of "
+                        << sectors;
             }
 }
 
@@ -71,11 +97,54 @@ TEST(RelaxedCones, AreSafeForRaysOnSteepMaps) {
         const DepthMap map = textures::generateSampleRelief("noise", 25, 17, seed);
         reference::GuaranteeCheckOptions options;
         options.rays = 200000;
-        const Plane ratio = buildRelaxedCones(map, ConeGuarantee::Bilinear);
-        EXPECT_EQ(
-            reference::checkCones(map, ratio, reference::ConePromise::Relaxed, options).violations,
-            0u)
-            << seed;
+        for (const int sectors : {1, 4, 8}) {
+            const auto ratios = buildRelaxedConeSectors(map, ConeGuarantee::Bilinear, sectors);
+            EXPECT_EQ(reference::checkCones(map, ratios, reference::ConePromise::Relaxed, options)
+                          .violations,
+                      0u)
+                << seed << " " << sectors;
+        }
+    }
+}
+
+std::uint64_t violations(const DepthMap& map, const std::vector<Plane>& ratios) {
+    reference::GuaranteeCheckOptions options;
+    options.rays = 100000;
+    return reference::checkCones(map, ratios, reference::ConePromise::Relaxed, options).violations;
+}
+
+TEST(RelaxedCones, OfSectorsAreSafeInEveryWrapMode) {
+    for (const WrapMode wrap : {WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp})
+        for (const auto& [width, height] : {std::pair{31, 23}, {1, 9}, {16, 1}})
+            for (const double aspect : {1.0, 0.7, 1.4})
+                for (const int sectors : {4, 8}) {
+                    DepthMap map = noiseMap(width, height, wrap, 5);
+                    map.texelAspect = aspect;
+                    EXPECT_EQ(violations(map, buildRelaxedConeSectors(map, ConeGuarantee::Bilinear,
+                                                                      sectors)),
+                              0u)
+                        << width << "x" << height << " " << wrapModeName(wrap) << " " << aspect
+                        << " " << sectors;
+                }
+}
+
+// The wrong variants: one sector a little wider, and each sector with the cones of the opposite
+// one.
+TEST(RelaxedCones, OfSectorsAreCaughtWhenTheyAreWiderOrSwapped) {
+    for (const int sectors : {4, 8}) {
+        const DepthMap map = noiseMap(40, 40, WrapMode::Repeat, 3);
+        const auto ratios = buildRelaxedConeSectors(map, ConeGuarantee::Bilinear, sectors);
+        ASSERT_EQ(violations(map, ratios), 0u);
+        for (std::size_t k = 0; k < ratios.size(); ++k) {
+            auto wider = ratios;
+            for (float& ratio : wider[k].texels)
+                ratio *= 1.5f;
+            EXPECT_GT(violations(map, wider), 0u) << k << " of " << sectors;
+        }
+        auto swapped = ratios;
+        for (std::size_t k = 0; k < ratios.size(); ++k)
+            swapped[k] = ratios[k ^ 3];
+        EXPECT_GT(violations(map, swapped), 0u) << sectors;
     }
 }
 
@@ -97,13 +166,15 @@ TEST(RelaxedCones, AreUnlimitedOnASlopeWithoutACrest) {
 TEST(RelaxedCones, OfARepeatedMapAreTheCropOfItsMosaic) {
     const DepthMap map = noiseMap(23, 14, WrapMode::Repeat, 9);
     const DepthMap mosaic = mosaicOf(map, 1);
-    for (const ConeGuarantee guarantee : {ConeGuarantee::Texel, ConeGuarantee::Bilinear}) {
-        const Plane ratio = buildRelaxedCones(map, guarantee);
-        const Plane crop = buildRelaxedCones(mosaic, guarantee);
-        for (int j = 0; j < 14; ++j)
-            for (int i = 0; i < 23; ++i)
-                EXPECT_FLOAT_EQ(ratio.at(i, j), 3.0f * crop.at(i + 23, j + 14));
-    }
+    for (const ConeGuarantee guarantee : {ConeGuarantee::Texel, ConeGuarantee::Bilinear})
+        for (const int sectors : {1, 4, 8}) {
+            const auto ratios = buildRelaxedConeSectors(map, guarantee, sectors);
+            const auto crops = buildRelaxedConeSectors(mosaic, guarantee, sectors);
+            for (std::size_t k = 0; k < ratios.size(); ++k)
+                for (int j = 0; j < 14; ++j)
+                    for (int i = 0; i < 23; ++i)
+                        EXPECT_FLOAT_EQ(ratios[k].at(i, j), 3.0f * crops[k].at(i + 23, j + 14));
+        }
 }
 
 }  // namespace

@@ -45,8 +45,17 @@ bool growsAfter(const DepthMap& map, double x, double y, double dx, double dy, d
 
 }  // namespace
 
+bool SampledSector::has(double dx, double dy) const {
+    if (sectors == 1)
+        return true;
+    const double alongX = number % 2 == 0 ? dx : -dx;
+    const double alongY = number / 2 % 2 == 0 ? dy : -dy;
+    const double past = number < 4 ? alongX - alongY : alongY - alongX;
+    return alongX >= 0.0 && alongY >= 0.0 && (sectors == 4 || past >= 0.0);
+}
+
 double steepestChord(const DepthMap& map, double x, double y, const SurfacePoints& points,
-                     CrestTolerance crests) {
+                     CrestTolerance crests, const SampledSector& sector) {
     const double depth = depthAt(map, x, y);
     const auto first = [&](double at) { return std::ceil(at / points.step) * points.step; };
     double steepest = 0.0;
@@ -55,6 +64,7 @@ double steepestChord(const DepthMap& map, double x, double y, const SurfacePoint
             const double length = std::hypot(toX - x, (toY - y) * map.texelAspect);
             const double rise = depth - depthAt(map, toX, toY);
             if (rise > steepest * length && rise > 0.0 &&
+                sector.has(toX - x, (toY - y) * map.texelAspect) &&
                 (!crests || growsAfter(map, toX, toY, toX - x, toY - y, *crests)))
                 steepest = rise / length;
         }
@@ -83,8 +93,10 @@ double sampledRatio(const DepthMap& map, int i, int j, const ConeSampling& sampl
             const double x = i + a / last - 0.5;
             const double y = j + b / last - 0.5;
             steepest = std::max(
-                {steepest, steepestChord(map, x, y, {2.0, 2.0, 0.125}, sampling.crests),
-                 steepestChord(map, x, y, {sampling.reach, sampling.reach, 1.0}, sampling.crests)});
+                {steepest,
+                 steepestChord(map, x, y, {2.0, 2.0, 0.125}, sampling.crests, sampling.sector),
+                 steepestChord(map, x, y, {sampling.reach, sampling.reach, 1.0}, sampling.crests,
+                               sampling.sector)});
         }
     return ratioOfSlope(map, steepest);
 }

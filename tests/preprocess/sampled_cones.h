@@ -20,10 +20,19 @@ struct SurfacePoints {
 /// growth along both axes counts as none; a negative tolerance counts such growth, too.
 using CrestTolerance = std::optional<double>;
 
+/// Sector `number` of 1, 4 or 8 (reference/ray_sector.h), its borders included.
+struct SampledSector {
+    int number = 0;
+    int sectors = 1;
+    /// Of a step of so many texel widths along each axis.
+    [[nodiscard]] bool has(double dx, double dy) const;
+};
+
 /// The steepest chord of the bilinear surface, in depth per texel width, from (x,y) down to points
-/// that are higher; 0 without any. Coordinates in texels: (i,j) is the centre of that texel.
+/// that are higher, along the directions of a sector; 0 without any. Coordinates in texels: (i,j)
+/// is the centre of that texel.
 double steepestChord(const textures::DepthMap& map, double x, double y, const SurfacePoints& points,
-                     CrestTolerance crests = {});
+                     CrestTolerance crests = {}, const SampledSector& sector = {});
 
 /// The ratio in tile widths of a cone as steep as that chord; +infinity for 0.
 double ratioOfSlope(const textures::DepthMap& map, double slope);
@@ -33,6 +42,7 @@ struct ConeSampling {
     int apexes;    ///< on a side of the square
     double reach;  ///< of the far points, in texels
     CrestTolerance crests;
+    SampledSector sector = {};
 };
 
 /// As many apexes as a test of many texels has time for, and all that is near enough to count.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/guarantee_check.h"
+#include "reference/ray_sector.h"
 #include "safe_maps.h"
 
 namespace relievo::reference::test {
@@ -94,15 +95,15 @@ TEST(RoofCheck, MapOfAnotherWrapModeIsFound) {
 }
 
 TEST(RoofMap, SectorsOfDirections) {
-    EXPECT_EQ(roofSector({-1.0, -1.0}, 1.0, 1), 0);
-    EXPECT_EQ(roofSector({1.0, 0.5}, 1.0, 4), 0);
-    EXPECT_EQ(roofSector({-1.0, 0.5}, 1.0, 4), 1);
-    EXPECT_EQ(roofSector({1.0, -0.5}, 1.0, 4), 2);
-    EXPECT_EQ(roofSector({-1.0, -0.5}, 1.0, 4), 3);
-    EXPECT_EQ(roofSector({1.0, 0.5}, 1.0, 8), 0);
-    EXPECT_EQ(roofSector({1.0, 1.0}, 1.0, 8), 0);
-    EXPECT_EQ(roofSector({1.0, 0.5}, 3.0, 8), 4);
-    EXPECT_EQ(roofSector({-0.2, -0.5}, 1.0, 8), 7);
+    EXPECT_EQ(raySector({-1.0, -1.0}, 1.0, 1), 0);
+    EXPECT_EQ(raySector({1.0, 0.5}, 1.0, 4), 0);
+    EXPECT_EQ(raySector({-1.0, 0.5}, 1.0, 4), 1);
+    EXPECT_EQ(raySector({1.0, -0.5}, 1.0, 4), 2);
+    EXPECT_EQ(raySector({-1.0, -0.5}, 1.0, 4), 3);
+    EXPECT_EQ(raySector({1.0, 0.5}, 1.0, 8), 0);
+    EXPECT_EQ(raySector({1.0, 1.0}, 1.0, 8), 0);
+    EXPECT_EQ(raySector({1.0, 0.5}, 3.0, 8), 4);
+    EXPECT_EQ(raySector({-0.2, -0.5}, 1.0, 8), 7);
 }
 
 TEST(RoofMap, BlocksEndAtCellBorders) {
