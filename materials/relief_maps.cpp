@@ -12,6 +12,7 @@
 
 #include "materials/ellipse_moments.h"
 #include "materials/slope_moments.h"
+#include "textures/cone_layers.h"
 #include "textures/depth_pyramid.h"
 #include "textures/displacement_table.h"
 #include "textures/input_error.h"
@@ -60,12 +61,14 @@ constexpr ReliefMapFormat kFormats[] = {
      .channels = kConeChannels,
      .internalFormat = GL_R32F,
      .filter = GL_NEAREST,
+     .form = ReliefMapForm::PlaneOrSectors,
      .cones = "conservative"},
     {.name = "relaxed-cone",
      .sampler = "relievoConeMap",
      .channels = kConeChannels,
      .internalFormat = GL_R32F,
      .filter = GL_NEAREST,
+     .form = ReliefMapForm::PlaneOrSectors,
      .cones = "relaxed"},
     {.name = "roof",
      .sampler = "relievoRoofMap",
@@ -257,10 +260,29 @@ std::vector<const textures::Plane*> ReliefMaps::channelsOf(const ReliefMapFormat
         if (planes.back() == nullptr)
             throw missing(format, channel);
     }
+    requireConeKind(format, maps);
+    return planes;
+}
+
+void ReliefMaps::requireConeKind(const ReliefMapFormat& format,
+                                 const textures::MapSet& maps) const {
     if (!format.cones.empty() && format.cones != coneKindOf(maps))
         throw textures::InputError(fmt::format("{}: holds {} cones, expected {} ones; {}", name_,
                                                coneKindOf(maps), format.cones, remedy(format)));
-    return planes;
+}
+
+Layers ReliefMaps::surfaceCones(const ReliefMapFormat& format, const textures::MapSet& maps) const {
+    Layers layers;
+    for (const textures::Plane* ratio :
+         readFrom(name_, [&] { return textures::coneLayersOf(maps); }))
+        layers.push_back({ratio});
+    if (!layers.empty())
+        requireConeKind(format, maps);
+    return layers;
+}
+
+int ReliefMaps::coneSectors() const {
+    return static_cast<int>(readFrom(name_, [&] { return textures::coneLayersOf(maps()); }).size());
 }
 
 Layers ReliefMaps::sectors(const textures::MapSet& maps) const {
@@ -294,6 +316,9 @@ Layers ReliefMaps::layersOf(const ReliefMapFormat& format, const textures::MapSe
     switch (format.form) {
         case ReliefMapForm::Sectors:
             layers = sectors(maps);
+            break;
+        case ReliefMapForm::PlaneOrSectors:
+            layers = surfaceCones(format, maps);
             break;
         case ReliefMapForm::Numbered:
             while (const textures::Plane* slice =
@@ -373,6 +398,7 @@ gl::Texture ReliefMaps::upload(const ReliefMapFormat& format) const {
             return uploadWeights(format);
         case ReliefMapForm::Displacements:
         case ReliefMapForm::Plane:
+        case ReliefMapForm::PlaneOrSectors:
         case ReliefMapForm::Sectors:
         case ReliefMapForm::Numbered:
             break;
@@ -406,7 +432,8 @@ gl::Texture ReliefMaps::uploadMoments(const ReliefMapFormat& format) const {
 
 gl::Texture ReliefMaps::uploadLayers(const ReliefMapFormat& format) const {
     const int count = static_cast<int>(layersOf(format, maps()).size());
-    const bool isArray = format.form != ReliefMapForm::Plane;
+    const bool isArray = format.form != ReliefMapForm::Plane &&
+                         (format.form != ReliefMapForm::PlaneOrSectors || count > 1);
     gl::Texture texture(maps().width(), maps().height(), format.internalFormat, isArray ? count : 0,
                         levelCount());
     for (int level = 0; level < levelCount(); ++level) {

@@ -21,6 +21,9 @@ enum class ReliefMapForm {
     /// A sampler2DArray with a layer for each sector of ray directions, whose channels have its
     /// number (none when there is one sector): roof0, ratio0, roof1 …
     Sectors,
+    /// A sampler2D with the map's only channel, or with several sectors a sampler2DArray as above,
+    /// whose channels have the number of their sector: cone0, cone1 …
+    PlaneOrSectors,
     /// A sampler2DArray with a layer for each slice of depth, or azimuth, whose channel has its
     /// number: volume0, volume1 …
     Numbered,
@@ -103,6 +106,9 @@ class ReliefMaps {
     /// Whether the set has the channels of a map.
     [[nodiscard]] bool has(std::string_view mapName) const noexcept;
 
+    /// How many sectors of directions the cones on the surface tell apart; 0 without such cones.
+    [[nodiscard]] int coneSectors() const;
+
     /// Of the first level.
     [[nodiscard]] const textures::MapSet& maps() const noexcept { return levels_.front(); }
     /// MIP levels, from 1.
@@ -116,6 +122,9 @@ class ReliefMaps {
         const ReliefMapFormat& format, const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<std::vector<const textures::Plane*>> sectors(
         const textures::MapSet& maps) const;
+    [[nodiscard]] std::vector<std::vector<const textures::Plane*>> surfaceCones(
+        const ReliefMapFormat& format, const textures::MapSet& maps) const;
+    void requireConeKind(const ReliefMapFormat& format, const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<std::vector<const textures::Plane*>> displacements(
         const textures::MapSet& maps) const;
     [[nodiscard]] std::vector<const textures::Plane*> channelsOf(

@@ -148,6 +148,8 @@ std::vector<shaders::Define> ReliefMaterial::defines() const {
             result.push_back({"RELIEVO_CONE_BILINEAR", "1"});
         if (maps.encoding == textures::ConeEncoding::Radius)
             result.push_back({"RELIEVO_CONE_RADIUS", "1"});
+        if (const int sectors = maps_->coneSectors(); sectors > 1)
+            result.push_back({"RELIEVO_CONE_SECTORS", std::to_string(sectors)});
     }
     if (const SlopeSourceEntry& slopes = slopeSourceEntry(slopes_); !slopes.define.empty())
         result.push_back({std::string(slopes.define), "1"});

@@ -24,14 +24,32 @@ using textures::Plane;
 
 constexpr int kLevels = 256;  // of the thesis, which knows 8-bit depths
 
-std::vector<std::string> surfaceConeChannels(const ReliefPlan&) {
-    return {"cone"};
+// "cone" of the only layer, "cone0" of the first of several.
+std::string layerName(std::string_view channel, int layer, int sectors) {
+    return sectors == 1 ? std::string(channel) : fmt::format("{}{}", channel, layer);
 }
 
-// Cones whose apex lies on the surface, from ratios: the channel `cone`.
+std::vector<std::string> surfaceConeChannels(const ReliefPlan& plan) {
+    const int sectors = coneSectors(plan);
+    std::vector<std::string> names;
+    for (int layer = 0; layer < sectors; ++layer)
+        names.push_back(layerName("cone", layer, sectors));
+    return names;
+}
+
+// Cones whose apex lies on the surface, from ratios: the channel `cone`, or one for each sector.
+void addSurfaceCones(const MapRequest& request, std::vector<Plane> ratios, MapSet& maps) {
+    const int sectors = static_cast<int>(ratios.size());
+    for (int layer = 0; layer < sectors; ++layer) {
+        Plane& ratio = ratios[static_cast<std::size_t>(layer)];
+        encodeConesInPlace(ratio, request.relief.depth, coneEncoding(request.plan));
+        maps.channels.push_back({layerName("cone", layer, sectors), std::move(ratio)});
+    }
+}
 void addSurfaceCones(const MapRequest& request, Plane ratio, MapSet& maps) {
-    encodeConesInPlace(ratio, request.relief.depth, coneEncoding(request.plan));
-    maps.channels.push_back({"cone", std::move(ratio)});
+    std::vector<Plane> only;
+    only.push_back(std::move(ratio));
+    addSurfaceCones(request, std::move(only), maps);
 }
 
 std::string countsOf(const SlopeSearchStatistics& work, const MapRequest& request) {
@@ -49,26 +67,26 @@ std::string buildConservative(const MapRequest& request, MapSet& maps) {
     return countsOf(work, request);
 }
 
-// "roof" of the only layer, "roof0" of the first of several.
-std::string layerName(std::string_view channel, int layer, int sectors) {
-    return sectors == 1 ? std::string(channel) : fmt::format("{}{}", channel, layer);
-}
-
 std::vector<std::string> roofConeChannels(const ReliefPlan& plan) {
     std::vector<std::string> names;
-    for (int layer = 0; layer < plan.sectors; ++layer) {
-        names.push_back(layerName("roof", layer, plan.sectors));
-        names.push_back(layerName("ratio", layer, plan.sectors));
+    const int sectors = coneSectors(plan);
+    for (int layer = 0; layer < sectors; ++layer) {
+        names.push_back(layerName("roof", layer, sectors));
+        names.push_back(layerName("ratio", layer, sectors));
     }
     return names;
 }
 
-std::string buildRoofs(const MapRequest& request, MapSet& maps) {
-    const int sectors = request.plan.sectors;
-    const RoofConeRules rules{.sectors = sectors};
-    // The layers together are the work that the caller knows as the texels of one map.
+// The sectors together are the work that the caller knows as the texels of one map.
+StepProgress progressOfSectors(const MapRequest& request, int sectors) {
     const std::size_t texels = request.relief.depth.texels.size();
-    StepProgress progress(request.advance, texels, texels * static_cast<std::size_t>(sectors));
+    return {request.advance, texels, texels * static_cast<std::size_t>(sectors)};
+}
+
+std::string buildRoofs(const MapRequest& request, MapSet& maps) {
+    const int sectors = coneSectors(request.plan);
+    const RoofConeRules rules{.sectors = sectors};
+    StepProgress progress = progressOfSectors(request, sectors);
     SlopeSearchStatistics work;
     std::vector<RoofConeLayer> layers = buildRoofCones(
         request.relief, rules, [&](std::size_t cells) { progress.done(cells); }, &work);
@@ -83,10 +101,16 @@ std::string buildRoofs(const MapRequest& request, MapSet& maps) {
 
 template <ConeGuarantee kGuarantee>
 std::string buildRelaxed(const MapRequest& request, MapSet& maps) {
+    const int sectors = coneSectors(request.plan);
+    StepProgress progress = progressOfSectors(request, sectors);
     SlopeSearchStatistics work;
-    addSurfaceCones(request, buildRelaxedCones(request.relief, kGuarantee, request.advance, &work),
+    addSurfaceCones(request,
+                    buildRelaxedConeSectors(
+                        request.relief, kGuarantee, sectors,
+                        [&](std::size_t texels) { progress.done(texels); }, &work),
                     maps);
-    return countsOf(work, request);
+    const std::string counts = countsOf(work, request);
+    return sectors == 1 ? counts : fmt::format("{} sectors, {}", sectors, counts);
 }
 
 std::string buildByLevels(const MapRequest& request, MapSet& maps) {
@@ -115,22 +139,28 @@ std::string buildByRays(const MapRequest& request, MapSet& maps) {
     return "rays between all texels";
 }
 
+constexpr int kAllDirections[] = {1};
+constexpr int kRoofSectors[] = {4, 1, 8};
+constexpr int kRelaxedSectors[] = {8, 1, 4};
+
 constexpr ConeKind kKinds[] = {
-    {"conservative", "bilinear", "exact", true, 28.0, surfaceConeChannels,
+    {"conservative", "bilinear", "exact", true, kAllDirections, 28.0, surfaceConeChannels,
      buildConservative<ConeGuarantee::Bilinear>},
-    {"conservative", "texel", "exact", true, 16.0, surfaceConeChannels,
+    {"conservative", "texel", "exact", true, kAllDirections, 16.0, surfaceConeChannels,
      buildConservative<ConeGuarantee::Texel>},
-    {"roof", "bilinear", "exact", false, 20.0, roofConeChannels, buildRoofs},
-    {"conservative", "texel", "levels", true, 16.0, surfaceConeChannels, buildByLevels},
-    {"conservative", "texel", "squares", true, 4.0, surfaceConeChannels, buildBySquares},
-    {"conservative", "texel", "quick", true, 8.0, surfaceConeChannels, buildQuick},
-    {"relaxed", "bilinear", "exact", true, 24.0, surfaceConeChannels,
+    {"roof", "bilinear", "exact", false, kRoofSectors, 20.0, roofConeChannels, buildRoofs},
+    {"conservative", "texel", "levels", true, kAllDirections, 16.0, surfaceConeChannels,
+     buildByLevels},
+    {"conservative", "texel", "squares", true, kAllDirections, 4.0, surfaceConeChannels,
+     buildBySquares},
+    {"conservative", "texel", "quick", true, kAllDirections, 8.0, surfaceConeChannels, buildQuick},
+    {"relaxed", "bilinear", "exact", true, kRelaxedSectors, 24.0, surfaceConeChannels,
      buildRelaxed<ConeGuarantee::Bilinear>},
-    {"relaxed", "texel", "exact", true, 24.0, surfaceConeChannels,
+    {"relaxed", "texel", "exact", true, kAllDirections, 24.0, surfaceConeChannels,
      buildRelaxed<ConeGuarantee::Texel>},
     // As their authors left them: verify finds rays that pierce the relief twice.
-    {"relaxed", "none", "maxima", true, 16.0, surfaceConeChannels, buildByMaxima},
-    {"relaxed", "none", "policarpo", true, 4.0, surfaceConeChannels, buildByRays},
+    {"relaxed", "none", "maxima", true, kAllDirections, 16.0, surfaceConeChannels, buildByMaxima},
+    {"relaxed", "none", "policarpo", true, kAllDirections, 4.0, surfaceConeChannels, buildByRays},
 };
 
 bool fits(const std::string& wanted, std::string_view word) {
@@ -153,6 +183,12 @@ const ConeKind* findConeKind(const ReliefPlan& plan) {
 
 textures::ConeEncoding coneEncoding(const ReliefPlan& plan) {
     return plan.encoding.value_or(textures::ConeEncoding::Ratio);
+}
+
+int coneSectors(const ReliefPlan& plan) {
+    const ConeKind& kind = *findConeKind(plan);
+    const bool isCramped = kind.isOnSurface && textures::isPackedFormat(plan.format);
+    return plan.sectors.value_or(isCramped ? 1 : kind.sectors.front());
 }
 
 std::string usualCone(ReliefPlan plan) {

@@ -82,7 +82,7 @@ Json describeMaps(const std::string& file) {
     if (header.levels.size() > 1)
         for (const auto& [width, height] : header.levels)
             description["levels"].push_back(fmt::format("{}x{}", width, height));
-    if (maps.find("cone") != nullptr)
+    if (maps.find("cone") != nullptr || maps.find("cone0") != nullptr)
         description["encoding"] = textures::coneEncodingName(maps.encoding);
     description["source"] = maps.source;
     description["version"] = maps.version;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -62,11 +63,21 @@ std::string problemOfEncoding(const ReliefPlan& plan, const ConeKind& kind) {
     return "";
 }
 
+std::string problemOfSectors(const ReliefPlan& plan, const ConeKind& kind) {
+    if (!plan.sectors || std::ranges::find(kind.sectors, *plan.sectors) != kind.sectors.end())
+        return "";
+    return fmt::format("--sectors {}: --cone {} --method {} --guarantee {} has {}", *plan.sectors,
+                       kind.cone, kind.method, kind.guarantee, fmt::join(kind.sectors, " or "));
+}
+
 std::string problemOfCones(const ReliefPlan& plan) {
     if (!plan.has("cone"))
         return "";
     const ConeKind* const kind = findConeKind(plan);
-    return kind == nullptr ? problemOfWords(plan) : problemOfEncoding(plan, *kind);
+    if (kind == nullptr)
+        return problemOfWords(plan);
+    const std::string problem = problemOfSectors(plan, *kind);
+    return problem.empty() ? problemOfEncoding(plan, *kind) : problem;
 }
 
 std::string problemOfChannels(const ReliefPlan& plan) {
@@ -137,8 +148,8 @@ std::string optionWords(const ReliefPlan& plan) {
         words +=
             fmt::format(" cone={} guarantee={} method={} encode={}", cones->cone, cones->guarantee,
                         cones->method, textures::coneEncodingName(coneEncoding(plan)));
-        if (!cones->isOnSurface)
-            words += fmt::format(" sectors={}", plan.sectors);
+        if (cones->sectors.size() > 1)
+            words += fmt::format(" sectors={}", coneSectors(plan));
     }
     if (plan.has("extrema"))
         words += fmt::format(" reach={}", plan.reach);

@@ -272,10 +272,11 @@ CLI::App* addReliefCommand(CLI::App& app, ReliefArguments& arguments) {
         "Kind of cones [roof in .exr, conservative in .png and .tif, which have too few channels]")
         ->check(CLI::IsMember(coneWords(&ConeKind::cone)));
     command
-        ->add_option("--sectors", arguments.sectors,
-                     "Sectors of directions that roof cones tell apart: 1, 4 or 8")
-        ->check(CLI::IsMember({1, 4, 8}))
-        ->capture_default_str();
+        ->add_option(
+            "--sectors", arguments.sectors,
+            "Sectors of ray directions with cones of their own: 1, 4 or 8 [roof 4, relaxed "
+            "8 in .exr, 1 in .png and .tif, others 1]")
+        ->check(CLI::IsMember({1, 4, 8}));
     add("--guarantee", arguments.guarantee,
         "What the cones are safe for: the bilinear surface, texel centres only, or nothing [the "
         "first that kind and method have]")

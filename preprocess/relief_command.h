@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "preprocess/view_grid.h"
@@ -17,7 +18,7 @@ struct ReliefArguments {
     std::string maps = "depth,derivative,cone";
     std::string cone;       ///< "": usualCone
     std::string guarantee;  ///< empty: that of the first method that fits
-    int sectors = 4;
+    std::optional<int> sectors;
     std::string method;  ///< empty: the first that fits
     std::string wrap = "repeat";
     std::string input = "height";

@@ -29,9 +29,9 @@ inline constexpr int kMostTerms = 64;
 struct ReliefPlan {
     std::vector<std::string> maps = {"depth", "derivative", "cone"};  ///< names of mapKinds()
     std::string cone = "conservative";                                ///< words of coneKinds()
-    std::string guarantee;  ///< "": the first that coneKinds() has for the rest
-    std::string method;     ///< likewise
-    int sectors = 4;        ///< of roof cones: 1, 4 or 8
+    std::string guarantee;       ///< "": the first that coneKinds() has for the rest
+    std::string method;          ///< likewise
+    std::optional<int> sectors;  ///< of ray directions; none: coneSectors() says
     std::optional<textures::ConeEncoding> encoding;  ///< none: that of the kind of cones
     /// What the file will hold: the maps are those of the depths after this rounding.
     textures::StorageFormat format = textures::StorageFormat::Float;

@@ -37,7 +37,7 @@ GuaranteeReport check(const ConesToVerify& cones, const VerifyArguments& argumen
     if (const auto* roofs = std::get_if<reference::RoofMap>(&cones.cones))
         return reference::checkRoofs(cones.relief, *roofs, options);
     const auto& surface = std::get<SurfaceCones>(cones.cones);
-    return reference::checkCones(cones.relief, surface.ratio, surface.promise, options);
+    return reference::checkCones(cones.relief, surface.ratios, surface.promise, options);
 }
 
 Json describe(const glm::dvec3& vector) {

@@ -8,6 +8,7 @@
 
 #include "commands/program.h"
 #include "preprocess/cone_encoding.h"
+#include "textures/cone_layers.h"
 #include "textures/height_image.h"
 #include "textures/image_reader.h"
 #include "textures/input_error.h"
@@ -65,14 +66,20 @@ std::string describeRoofs(const reference::RoofMap& roofs) {
     return fmt::format("roof cones in {} {}", sectors, sectors == 1 ? "sector" : "sectors");
 }
 
+std::string describeSurfaceCones(const std::string& kind, std::size_t sectors) {
+    return sectors == 1 ? kind + " cones" : fmt::format("{} cones in {} sectors", kind, sectors);
+}
+
 std::vector<ConesToVerify> surfaceConesOf(const textures::MapSet& maps,
                                           const textures::DepthMap& relief) {
-    const Plane* cone = maps.find("cone");
-    if (cone == nullptr)
+    const std::vector<const Plane*> layers = textures::coneLayersOf(maps);
+    if (layers.empty())
         return {};
     const std::string kind = attributeOf(maps, "relievo:cone", kConservative);
-    return {{kind + " cones", relief,
-             SurfaceCones{decodeCones(*cone, relief.depth, maps.encoding), promiseOf(kind)}}};
+    SurfaceCones cones{{}, promiseOf(kind)};
+    for (const Plane* layer : layers)
+        cones.ratios.push_back(decodeCones(*layer, relief.depth, maps.encoding));
+    return {{describeSurfaceCones(kind, layers.size()), relief, std::move(cones)}};
 }
 
 std::vector<ConesToVerify> roofConesOf(const textures::MapSet& maps,
@@ -92,7 +99,7 @@ std::vector<ConesToVerify> conesOfLevel(const textures::MapSet& maps, const std:
     std::vector<ConesToVerify> all = surfaceConesOf(maps, relief);
     std::ranges::move(roofConesOf(maps, relief), std::back_inserter(all));
     if (all.empty())
-        throw InputError("holds no cones, expected the channel 'cone', 'roof' or 'roof0'");
+        throw InputError("holds no cones, expected the channel 'cone', 'cone0', 'roof' or 'roof0'");
     return all;
 } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
@@ -180,8 +187,8 @@ std::vector<ConesToVerify> conesOfOtherTool(const VerifyArguments& arguments) {
     }
     const textures::ConeEncoding encoding =
         *textures::coneEncodingFromName(orElse(arguments.encoding, "ratio"));
-    ratio = decodeCones(ratio, relief.depth, encoding);
-    return {{kind + " cones", std::move(relief), SurfaceCones{std::move(ratio), promiseOf(kind)}}};
+    SurfaceCones cones{{decodeCones(ratio, relief.depth, encoding)}, promiseOf(kind)};
+    return {{describeSurfaceCones(kind, 1), std::move(relief), std::move(cones)}};
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct VerifyArguments {
 
 /// Conservative or relaxed cones with their apexes on the surface.
 struct SurfaceCones {
-    textures::Plane ratio;  ///< tile widths per unit of depth
+    std::vector<textures::Plane> ratios;  ///< tile widths per unit of depth, of 1, 4 or 8 sectors
     reference::ConePromise promise = reference::ConePromise::Conservative;
 };
 

@@ -19,7 +19,7 @@ constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
 // Distances, and −1 where there is none.
 constexpr ChannelRule kSafeOrNone{Rounding::Down, true, false};
 
-/// Roof cones may have a layer per sector: `roof0`, `ratio0` … follow the rule of `roof`, `ratio`.
+/// Cones may have a layer per sector: `cone0`, `roof0`, `ratio0` … follow the rule of the name.
 constexpr std::array kRules{
     NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},     NamedRule{"dy", kSigned},
     NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},     NamedRule{"nz", kSigned},

@@ -18,6 +18,7 @@ const std::vector<std::vector<shaders::Define>> kVariants = {
     {},
     {{"RELIEVO_CONE_RADIUS", "1"}, {"RELIEVO_DEPTH_REVERSED", "1"}},
     {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
+    {{"RELIEVO_CONE_BILINEAR", "1"}, {"RELIEVO_CONE_SECTORS", "8"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_WRAP_CLAMP", "1"}, {"RELIEVO_CLIP_ZERO_TO_ONE", "1"}},
     {{"RELIEVO_SLOPES_FROM_NORMAL", "1"}, {"RELIEVO_WRAP_MIRROR", "1"}},
     {{"RELIEVO_SLOPES_FROM_HEIGHT", "1"}},

@@ -167,6 +167,10 @@ TEST_F(Bake, RoofConesAreTheUsualOnesWhereTheyFit) {
     EXPECT_THAT(channelsOf({"b.exr", "--sectors", "1"}), IsSupersetOf({"roof", "ratio"}));
     EXPECT_THAT(channelsOf({"c.exr", "--guarantee", "texel"}), Contains("cone"));
     EXPECT_THAT(channelsOf({"d.png"}), Contains("cone"));
+    // Relaxed ones have sectors as well, but in packed files.
+    EXPECT_THAT(channelsOf({"e.exr", "--cone", "relaxed"}), IsSupersetOf({"cone0", "cone7"}));
+    EXPECT_THAT(channelsOf({"f.exr", "--cone", "relaxed", "--sectors", "1"}), Contains("cone"));
+    EXPECT_THAT(channelsOf({"g.png", "--cone", "relaxed"}), Contains("cone"));
 }
 
 TEST_F(Bake, StagesAreToldUnlessQuiet) {

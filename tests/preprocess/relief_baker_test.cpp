@@ -125,6 +125,11 @@ TEST(ReliefBaker, OptionWordsTellPlansApart) {
         plan.cone = "roof";
         plan.sectors = 8;
     });
+    expectNew([](ReliefPlan& plan) { plan.cone = "relaxed"; });
+    expectNew([](ReliefPlan& plan) {
+        plan.cone = "relaxed";
+        plan.sectors = 1;
+    });
     expectNew([](ReliefPlan& plan) { plan.method = "levels"; });
     expectNew([](ReliefPlan& plan) { plan.format = StorageFormat::Half; });
     expectNew([](ReliefPlan& plan) {

@@ -103,6 +103,33 @@ TEST_F(Verify, RelaxedConesMayBeWider) {
     expectGuilty({"verify", mapFile("wider.exr", 0.98f, "relaxed"), "--rays", "4e4"});
 }
 
+// A ridge along v: rays with du < 0 and du > 0 have the same cones, those along v have none to
+// fear.
+TEST_F(Verify, EverySectorIsChecked) {
+    const auto sectorFile = [&](const std::string& name, std::vector<float> ratios) {
+        textures::MapSet maps;
+        maps.attributes["relievo:cone"] = "relaxed";
+        maps.channels = {{"depth", ridge()}};
+        for (std::size_t k = 0; k < ratios.size(); ++k)
+            maps.channels.push_back(
+                {"cone" + std::to_string(k), Plane(kWidth, kHeight, ratios[k])});
+        textures::writeMapFile(folder.file(name), maps, textures::StorageFormat::Float);
+        return folder.file(name);
+    };
+    const std::string safe = sectorFile("safe.exr", {0.94f, 0.94f, 0.94f, 0.94f});
+    expectPassed({"verify", safe, "--rays", "4e4"});
+    EXPECT_THAT(bake({"verify", safe, "--rays", "100"}).output,
+                HasSubstr("relaxed cones in 4 sectors"));
+    EXPECT_THAT(bake({"info", safe}).output, HasSubstr("encoding   ratio"));
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<float> ratios(4, 0.94f);
+        ratios[k] = 1.05f;
+        expectGuilty({"verify", sectorFile("wide.exr", ratios), "--rays", "4e4"});
+    }
+    expectRefused({"verify", sectorFile("three.exr", {0.9f, 0.9f, 0.9f})}, 1,
+                  "has cones for 3 sectors of directions, expected 4 or 8");
+}
+
 TEST_F(Verify, ConesOfTexelCentresAreNotSafeForTheBilinearSurface) {
     const std::string height = folder.file("height.png");
     const std::string maps = folder.file("maps.exr");

@@ -22,7 +22,7 @@ int reliefFind(ReliefRay ray, out ReliefBracket bracket, inout int steps) {
         ++steps;
         bracket.outside = bracket.inside;
         bracket.above = gap;
-        float ratio = reliefConeRatio(point.xy, cell.gather, depths);
+        float ratio = reliefConeRatio(ray, point.xy, cell.gather, depths);
         bracket.inside = min(bracket.inside + reliefConeStep(ray, ratio, gap), ray.end);
     }
     return RELIEVO_OUTCOME_EXHAUSTED;

@@ -13,7 +13,7 @@ float reliefConeExit(ReliefRay ray, ReliefWalk walk, vec4 corners, float gap) {
     vec2 size = vec2(reliefMapSize());
     vec2 cell = vec2(reliefWalkCell(walk));
     vec2 texel = cell + step(0.5, reliefPlaceInCell(walk, walk.exit));
-    float ratio = reliefConeRatio((texel + 0.5) / size, (cell + 1.0) / size, corners);
+    float ratio = reliefConeRatio(ray, (texel + 0.5) / size, (cell + 1.0) / size, corners);
     return walk.exit + reliefConeStep(ray, ratio, gap);
 }
 

@@ -6,19 +6,11 @@
 // block of cells, whichever is later. Below the roof the cell is solved: one gather and a quadratic.
 // No step can pass a hit, and what is found is not approached but computed.
 #include "relievo/search/cells.glsl"
+#include "relievo/search/sector.glsl"
 
 uniform sampler2DArray relievoRoofMap;  // roof and ratio of cell (i,j) at texel (i,j), a layer a sector
 uniform int relievoRoofBlock;           // cells around, or ahead of, a cell whose roof it has
 uniform int relievoExactSteps;
-
-// The layer for rays along `direction`, in texels: the quadrant (du<0) + 2·(dv<0), and of eight the
-// half that is steep in the metric + 4.
-int reliefRoofLayer(vec2 direction, int layers) {
-    if (layers == 1) return 0;
-    int quadrant = int(direction.x < 0.0) + 2 * int(direction.y < 0.0);
-    bool isSteep = abs(direction.y) * reliefTexelAspect() > abs(direction.x);
-    return quadrant + (layers == 8 && isSteep ? 4 : 0);
-}
 
 #ifdef RELIEVO_WRAP_MIRROR
 // Where a mirrored map has cell number `cell` along an axis of `size` texels, and the direction in
@@ -45,11 +37,11 @@ vec2 reliefRoofCone(ReliefWalk walk) {
     vec2 direction = walk.speed;
     ivec2 texel = ivec2(reliefMirroredCell(cell.x, size.x, direction.x),
                         reliefMirroredCell(cell.y, size.y, direction.y));
-    int layer = reliefRoofLayer(direction, size.z);
+    int layer = reliefSector(direction, size.z);
     return texelFetch(relievoRoofMap, ivec3(texel, layer), reliefLevel).rg;
 #else
     vec2 uv = (vec2(cell) + 0.5) / vec2(size.xy);
-    int layer = reliefRoofLayer(walk.speed, size.z);
+    int layer = reliefSector(walk.speed, size.z);
     return textureLod(relievoRoofMap, vec3(uv, layer), float(reliefLevel)).rg;
 #endif
 }
