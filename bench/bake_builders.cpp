@@ -95,6 +95,15 @@ BakeOutput buildRoofs(const BakeInput& input) {
     return output;
 }
 
+template <int kSectors>
+BakeOutput buildRelaxedSectors(const BakeInput& input) {
+    BakeOutput output;
+    output.search.emplace();
+    output.others = preprocess::buildRelaxedConeSectors(input.map, ConeGuarantee::Bilinear,
+                                                        kSectors, {}, &*output.search);
+    return output;
+}
+
 BakeOutput buildRelaxedByMaxima(const BakeInput& input) {
     return coneOutput(preprocess::buildRelaxedConesByMaxima(input.map));
 }
@@ -153,6 +162,8 @@ std::vector<BakeBuilder> coneBuilders() {
         {"relaxed-bilinear", "relaxed cones, safe on the bilinear surface",
          buildExactCones<buildRelaxedCones, ConeGuarantee::Bilinear>, 2048, kRelaxed, false,
          statedBytes("relaxed", "bilinear", "")},
+        {"relaxed-8", "the same for 8 sectors of directions", buildRelaxedSectors<8>, 512, "",
+         false, statedBytes("relaxed", "bilinear", "")},
         {"relaxed-texel", "relaxed cones between texel centres",
          buildExactCones<buildRelaxedCones, ConeGuarantee::Texel>, 2048, kRelaxed, false,
          statedBytes("relaxed", "texel", "")},

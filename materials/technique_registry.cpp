@@ -86,7 +86,7 @@ constexpr TechniqueParameter kOcclusionParameters[] = {
 };
 constexpr TechniqueParameter kConeStepParameters[] = {kConeSteps, kTolerance, binarySteps(10)};
 constexpr TechniqueParameter kConeParameters[] = {kConeSteps, binarySteps(10)};
-constexpr TechniqueParameter kRelaxedSecantParameters[] = {kConeSteps, secantSteps(5)};
+constexpr TechniqueParameter kRelaxedSecantParameters[] = {kConeSteps, secantSteps(8)};
 constexpr TechniqueParameter kSkipParameters[] = {
     {"skip-steps", "relievoSkipSteps", "steps that a ray may take before it gives up", 1, 65536,
      4096, true, true},
@@ -239,7 +239,7 @@ constexpr Technique kTechniques[] = {
      .file = "relievo/techniques/relaxed_step.glsl",
      .maps = kRelaxedMaps,
      .parameters = kConeStepParameters,
-     .errors = {{0.0, 0.000987}, {0.05, 0.00228}}},
+     .errors = {{0.0, 0.00121}, {0.05, 0.00279}}},
     {.name = "cone",
      .title = "cone tracing, cell by cell",
      .origin = "Dummer 2006; ours",
@@ -253,14 +253,14 @@ constexpr Technique kTechniques[] = {
      .file = "relievo/techniques/relaxed.glsl",
      .maps = kRelaxedMaps,
      .parameters = kConeParameters,
-     .errors = {{0.0, 0.000683}, {0.0, 0.00134}}},
+     .errors = {{0.0, 0.000985}, {0.0, 0.00227}}},
     {.name = "relaxed-secant",
      .title = "relaxed cones, cell by cell, and secant search",
      .origin = "Policarpo, Oliveira 2007; ours",
      .file = "relievo/techniques/relaxed_secant.glsl",
      .maps = kRelaxedMaps,
      .parameters = kRelaxedSecantParameters,
-     .errors = {{0.0, 0.00182}, {0.178, 0.0105}}},
+     .errors = {{0.0, 0.00221}, {0.406, 0.0186}}},
     {.name = "quadtree",
      .title = "quadtree displacement mapping",
      .origin = "Drobot 2010",
