@@ -1,0 +1,74 @@
+#include "preprocess/boundary_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace relievo::preprocess {
+namespace {
+
+struct Box {
+    glm::dvec2 least{std::numeric_limits<double>::infinity()};
+    glm::dvec2 most{-std::numeric_limits<double>::infinity()};
+};
+
+Box boxOf(std::span<const BoundarySegment> segments) {
+    Box box;
+    for (const BoundarySegment& segment : segments)
+        for (int axis = 0; axis < 2; ++axis) {
+            box.least[axis] = std::min({box.least[axis], segment.start[axis], segment.end[axis]});
+            box.most[axis] = std::max({box.most[axis], segment.start[axis], segment.end[axis]});
+        }
+    return box;
+}
+
+float roundedOutwards(double value, float towards) {
+    const auto rounded = static_cast<float>(value);
+    return std::nextafter(rounded, towards);
+}
+
+BoundaryTree::Node nodeOf(const Box& box) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    return {roundedOutwards(box.least.x, -kInfinity),
+            roundedOutwards(box.least.y, -kInfinity),
+            roundedOutwards(box.most.x, kInfinity),
+            roundedOutwards(box.most.y, kInfinity),
+            0,
+            0};
+}
+
+// Appends the tree of segments [first, last).
+void append(BoundaryTree& tree, std::size_t first, std::size_t last) {
+    const std::span<BoundarySegment> all(tree.segments);
+    const std::span<BoundarySegment> part = all.subspan(first, last - first);
+    const Box box = boxOf(part);
+    const std::size_t node = tree.nodes.size();
+    tree.nodes.push_back(nodeOf(box));
+    tree.nodes[node].first = static_cast<std::uint32_t>(first);
+    if (part.size() <= BoundaryTree::kLeafSegments) {
+        tree.nodes[node].count = static_cast<std::uint32_t>(part.size());
+        return;
+    }
+    const int axis = box.most.x - box.least.x >= box.most.y - box.least.y ? 0 : 1;
+    const std::size_t half = part.size() / 2;
+    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
+                     [axis](const BoundarySegment& a, const BoundarySegment& b) {
+                         return a.start[axis] + a.end[axis] < b.start[axis] + b.end[axis];
+                     });
+    append(tree, first, first + half);
+    tree.nodes[node].first = static_cast<std::uint32_t>(tree.nodes.size());
+    append(tree, first + half, last);
+}
+
+}  // namespace
+
+BoundaryTree buildBoundaryTree(std::vector<BoundarySegment> segments) {
+    BoundaryTree tree;
+    tree.segments = std::move(segments);
+    if (!tree.segments.empty())
+        append(tree, 0, tree.segments.size());
+    return tree;
+}
+
+}  // namespace relievo::preprocess
