@@ -1,6 +1,7 @@
 #include "float_rounding.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -21,15 +22,20 @@ double steepestStep(const textures::DepthMap& map) {
 // A product of t and a speed in texels rounds by 2⁻²⁴ of the texels that the ray has gone, and so
 // do t itself and the sum with the start: a quarter of 2⁻²⁰ in all, along both axes; and as much of
 // a texel for the fraction. The place of the start within two tiles, in texels, rounds by 2⁻²⁴ of
-// those. On the steepest slope of the map that is as much depth as the ray may seem higher or lower
-// than it is; depths themselves, of at most 1, take eight roundings more.
+// those, but for powers of two, which round nothing. On the steepest slope of the map that is as
+// much depth as the ray may seem higher or lower than it is; depths themselves, of at most 1, take
+// eight roundings more.
 struct Rounding {
     double texels;
     double depth;
 };
 
-Rounding roundingAt(double texelsGone, double tileTexels, double steepest) {
-    const double texels = 0x1p-22 * (texelsGone + 1.0) + 0x1p-23 * tileTexels;
+Rounding roundingAt(double texelsGone, const textures::DepthMap& map, double steepest) {
+    const auto startRounding = [](int size) {
+        return std::has_single_bit(static_cast<unsigned>(size)) ? 0.0 : 0x1p-23 * size;
+    };
+    const double texels =
+        0x1p-22 * (texelsGone + 1.0) + startRounding(map.width()) + startRounding(map.height());
     return {texels, texels * steepest + 0x1p-21};
 }
 
@@ -52,8 +58,7 @@ bool FloatRounding::explains(const MeasuredPixel& pixel) const {
     const double t = pixel.t;
     const double speed =
         std::hypot(map_.width() * ray.direction.x, map_.height() * ray.direction.y);
-    const Rounding rounding =
-        roundingAt(t * speed, std::max(map_.width(), map_.height()), steepest_);
+    const Rounding rounding = roundingAt(t * speed, map_, steepest_);
     const double slack = (1.0 + t) * 0x1p-22 + rounding.texels / std::max(speed, 1.0);
     if (t > meets(ray, rounding.depth) + slack)
         return false;
