@@ -92,12 +92,7 @@ ReliefMaterial ReliefMaterial::shownBy(const Technique& technique) const {
 
 void ReliefMaterial::setParameter(std::string_view name, double value) {
     const ParameterValue& parameter = find(name);
-    const TechniqueParameter& info = *parameter.info;
-    const bool whole = std::nearbyint(value) == value;
-    if (!(value >= info.minimum && value <= info.maximum) || (info.isInteger && !whole))
-        throw textures::InputError(fmt::format(
-            "{} {}: {} is not {} from {} to {}", technique_->name, name, value,
-            info.isInteger ? "a whole number" : "a number", info.minimum, info.maximum));
+    requireInRange(*technique_, *parameter.info, value);
     values_[static_cast<std::size_t>(&parameter - values_.data())].value = value;
 }
 

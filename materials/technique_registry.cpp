@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "textures/input_error.h"
@@ -344,6 +345,16 @@ const TechniqueParameter& findParameter(const Technique& technique, std::string_
                                                technique.name, name,
                                                namesOf(technique.parameters)));
     return *found;
+}
+
+void requireInRange(const Technique& technique, const TechniqueParameter& parameter, double value) {
+    const bool whole = std::nearbyint(value) == value;
+    if (!(value >= parameter.minimum && value <= parameter.maximum) ||
+        (parameter.isInteger && !whole))
+        throw textures::InputError(fmt::format("{} {}: {} is not {} from {} to {}", technique.name,
+                                               parameter.name, value,
+                                               parameter.isInteger ? "a whole number" : "a number",
+                                               parameter.minimum, parameter.maximum));
 }
 
 const TechniqueParameter* budgetParameter(const Technique& technique) {

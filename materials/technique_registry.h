@@ -66,6 +66,10 @@ const Technique& findTechnique(std::string_view name);
 /// The parameter of `technique` called `name`. Throws textures::InputError, listing the names.
 const TechniqueParameter& findParameter(const Technique& technique, std::string_view name);
 
+/// Throws textures::InputError, which says the range, when a parameter of `technique` cannot have a
+/// value: one out of range, or a fraction where an integer is expected.
+void requireInRange(const Technique& technique, const TechniqueParameter& parameter, double value);
+
 /// The step budget of `technique`, or null for one without (normal mapping).
 const TechniqueParameter* budgetParameter(const Technique& technique);
 

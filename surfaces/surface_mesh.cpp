@@ -61,6 +61,17 @@ SurfaceMesh makeBox(Tiles tiles) {
     return mesh;
 }
 
+SurfaceMesh makeShapeBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dmat4& toWorld) {
+    // The unit cube's vertices have normals and frames of the cube; nothing reads them.
+    const glm::dvec3 size = high - low;
+    glm::dmat4 fromCube(1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        fromCube[axis][axis] = size[axis];
+        fromCube[3][axis] = low[axis] + 0.5 * size[axis];
+    }
+    return placed(makeBox({1.0f, 1.0f}), glm::mat4(toWorld * fromCube));
+}
+
 SurfaceMesh placed(SurfaceMesh mesh, const glm::mat4& placement) {
     const glm::mat3 linear(placement);
     const float determinant = glm::determinant(linear);

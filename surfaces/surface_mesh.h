@@ -50,6 +50,10 @@ SurfaceMesh makeQuad(Tiles tiles, float aspect);
 /// square where aspect·tiles.y = tiles.x.
 SurfaceMesh makeBox(Tiles tiles);
 
+/// The box between two corners of the space of a solid, as `toWorld` (affine, invertible) has it in
+/// the world: what a solid in a box is drawn from (specification 7.4). It has positions only.
+SurfaceMesh makeShapeBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dmat4& toWorld);
+
 /// `mesh` moved by the affine map `placement`, which must be invertible. A mirroring one turns the
 /// triangles round, so that they stay counter-clockwise from outside.
 SurfaceMesh placed(SurfaceMesh mesh, const glm::mat4& placement);

@@ -16,12 +16,31 @@
 namespace relievo::viewer {
 namespace {
 
-constexpr std::string_view kShaded = "relievo/programs/shaded.frag";
-constexpr std::string_view kPlain = "relievo/programs/plain.frag";
-constexpr std::string_view kMeasured = "relievo/programs/measured.frag";
-constexpr std::string_view kVisible = "relievo/programs/visible.frag";
-constexpr std::string_view kDepth = "relievo/programs/depth.frag";
 constexpr std::string_view kCoverage = "relievo/programs/coverage.frag";
+constexpr std::string_view kVisible = "relievo/programs/visible.frag";
+
+// The fragment shaders that differ between reliefs, solids and plain meshes.
+struct FragmentFiles {
+    std::string_view shaded;
+    std::string_view measured;
+    std::string_view depth;
+};
+constexpr FragmentFiles kReliefFiles{"relievo/programs/shaded.frag",
+                                     "relievo/programs/measured.frag",
+                                     "relievo/programs/depth.frag"};
+constexpr FragmentFiles kSolidFiles{"relievo/programs/solid_shaded.frag",
+                                    "relievo/programs/solid_measured.frag",
+                                    "relievo/programs/solid_depth.frag"};
+constexpr FragmentFiles kPlainFiles{"relievo/programs/plain.frag", "", kCoverage};
+
+const FragmentFiles& fragmentFilesOf(const SceneObject& object) {
+    return object.solid ? kSolidFiles : object.material ? kReliefFiles : kPlainFiles;
+}
+
+// Whether there is something to search.
+bool isSearched(const SceneObject& object) {
+    return object.material || object.solid;
+}
 
 void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
     const bool falls = fallsWithDistance(depth);
@@ -38,7 +57,9 @@ void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
 // (relievo/trace.glsl).
 std::vector<shaders::Define> definesFor(const SceneObject& object, const FrameView& view) {
     std::vector<shaders::Define> defines;
-    if (object.material)
+    if (object.solid)
+        defines = object.solid->defines();
+    else if (object.material)
         defines = object.material->defines();
     else
         defines.push_back({"RELIEVO_PLAIN", "1"});
@@ -53,9 +74,13 @@ std::vector<shaders::Define> definesFor(const SceneObject& object, const FrameVi
 
 // The files of the shader library for a program that shades, and for one that searches only.
 std::vector<std::string_view> filesOf(const SceneObject& object) {
+    if (object.solid)
+        return object.solid->files();
     return object.material ? object.material->files() : std::vector<std::string_view>();
 }
 std::vector<std::string_view> searchFilesOf(const SceneObject& object) {
+    if (object.solid)
+        return object.solid->files();
     if (!object.material)
         return {};
     return {object.material->technique().file};
@@ -70,12 +95,20 @@ void bindTexture(gl::Program& program, std::string_view sampler, const gl::Textu
 
 // Each of these takes the first free texture unit and returns the first that stays free.
 GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
+    if (object.solid)
+        return object.solid->bind(program.id());
     GLuint unit = object.material->bind(program.id());
     if (object.givenHits)
         bindTexture(program, "relievoGivenHits", *object.givenHits, unit);
     if (object.givenVisibility)
         bindTexture(program, "relievoGivenVisibility", *object.givenVisibility, unit);
     return unit;
+}
+
+GLuint bindSearch(gl::Program& program, const SceneObject& object) {
+    if (object.solid)
+        return object.solid->bind(program.id());
+    return object.material ? object.material->bindSearch(program.id()) : 0;
 }
 
 GLuint bindShadowMap(gl::Program& program, const FrameView& view, GLuint unit) {
@@ -109,6 +142,21 @@ void drawSurface(gl::Program& program, const SurfaceBuffers& surface, const Came
         program.set("eye", camera.eye);
     program.use();
     surface.draw();
+}
+
+// Of a box the back faces are drawn, which are there wherever the eye is, also behind the far
+// plane.
+void drawObject(gl::Program& program, const SceneObject& object, const Camera& camera) {
+    const bool isBox = object.solid && object.solid->isInBox();
+    if (isBox) {
+        glCullFace(GL_FRONT);
+        glEnable(GL_DEPTH_CLAMP);
+    }
+    drawSurface(program, *object.surface, camera);
+    if (isBox) {
+        glCullFace(GL_BACK);
+        glDisable(GL_DEPTH_CLAMP);
+    }
 }
 
 // How near the box around a surface comes to the eye; to be compared with others of one camera.
@@ -176,7 +224,7 @@ void FrameRenderer::drawObjects(std::span<const SceneObject> objects, const Fram
         gl::Program& program = programFor(object, number);
         if (mayBeHidden)
             query->beginConditional();
-        drawSurface(program, *object.surface, view.camera);
+        drawObject(program, object, view.camera);
         if (mayBeHidden)
             gl::OcclusionQuery::endConditional();
     }
@@ -198,15 +246,15 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
     drawObjects(objects, view, target, [&](const SceneObject& object, int) -> gl::Program& {
         std::vector<shaders::Define> defines;
-        if (object.material)
+        if (isSearched(object))
             defines = texturesOf(object).defines(object.shading);
         if (view.markExhausted)
             defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
-        gl::Program& shaded = program(object.material ? kShaded : kPlain, filesOf(object), object,
-                                      view, std::move(defines));
+        gl::Program& shaded = program(fragmentFilesOf(object).shaded, filesOf(object), object, view,
+                                      std::move(defines));
         setLight(shaded, view);
         GLuint unit = 0;
-        if (object.material) {
+        if (isSearched(object)) {
             unit = bindMaterial(shaded, object);
             unit = texturesOf(object).bind(shaded, object.shading, unit);
         } else {
@@ -229,7 +277,8 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
     alone.shadowMap = nullptr;
     alone.skipHidden = false;
     drawObjects({&object, 1}, alone, target, [&](const SceneObject& drawn, int) -> gl::Program& {
-        gl::Program& measured = program(kMeasured, filesOf(drawn), drawn, alone);
+        gl::Program& measured =
+            program(fragmentFilesOf(drawn).measured, filesOf(drawn), drawn, alone);
         setLight(measured, alone);
         bindMaterial(measured, drawn);
         return measured;
@@ -249,7 +298,7 @@ VisibleFrame FrameRenderer::show(std::span<const SceneObject> objects, const Fra
     drawObjects(objects, view, target, [&](const SceneObject& object, int number) -> gl::Program& {
         gl::Program& visible = program(kVisible, searchFilesOf(object), object, view);
         visible.set("objectNumber", number);
-        const GLuint unit = object.material ? object.material->bindSearch(visible.id()) : 0;
+        const GLuint unit = bindSearch(visible, object);
         bindShadowMap(visible, view, unit);
         return visible;
     });
@@ -266,9 +315,8 @@ ShadowMap FrameRenderer::castShadows(std::span<const SceneObject> objects, const
     prepare(shadow.depths, light.depth);
     drawObjects(objects, view, shadow.depths, [&](const SceneObject& object, int) -> gl::Program& {
         gl::Program& depth =
-            program(object.material ? kDepth : kCoverage, searchFilesOf(object), object, view);
-        if (object.material)
-            object.material->bindSearch(depth.id());
+            program(fragmentFilesOf(object).depth, searchFilesOf(object), object, view);
+        bindSearch(depth, object);
         return depth;
     });
     return shadow;

@@ -10,6 +10,7 @@
 #include "gl/texture.h"
 #include "materials/program_cache.h"
 #include "materials/relief_material.h"
+#include "materials/solid_material.h"
 #include "materials/surface_textures.h"
 #include "viewer/camera.h"
 #include "viewer/measured_frame.h"
@@ -22,11 +23,13 @@ namespace relievo::viewer {
 /// there while the frame is drawn.
 struct SceneObject {
     const SurfaceBuffers* surface = nullptr;
-    /// The relief with its technique, depth scale and window; null for a plain mesh.
+    /// The relief with its technique, depth scale and window; null for a solid and a plain mesh.
     const materials::ReliefMaterial* material = nullptr;
-    /// The texture set of a relief; null for plain grey.
+    /// The solid that is sunk into the surface, or in the box that the surface is; null: none.
+    const materials::SolidMaterial* solid = nullptr;
+    /// The texture set of a relief or a solid; null for plain grey.
     materials::SurfaceTextures* textures = nullptr;
-    materials::Shading shading;  ///< of a relief; a plain mesh is shaded with Blinn–Phong
+    materials::Shading shading;  ///< of these; a plain mesh is shaded with Blinn–Phong
     glm::vec3 plainColor{0.6f};  ///< linear; of a plain mesh
     /// The hits of a material of materials::givenHitsTechnique().
     const gl::Texture* givenHits = nullptr;
@@ -60,7 +63,7 @@ class FrameRenderer {
     /// Draws the shaded objects over a background of (0.09, 0.09, 0.1) into attachment 0 of
     /// `target`.
     void draw(std::span<const SceneObject> objects, const FrameView& view, gl::Framebuffer& target);
-    /// Records the searches of every pixel of one object, which has a relief.
+    /// Records the searches of every pixel of one object, which has a relief or is a solid.
     MeasuredFrame measure(SceneObject object, const FrameView& view, int width, int height);
     /// Records what every pixel shows, and counts the lookups of the whole frame.
     VisibleFrame show(std::span<const SceneObject> objects, const FrameView& view, int width,

@@ -29,6 +29,27 @@
 // Shader storage buffers.
 #define RELIEVO_BUFFER_LOOKUPS 0  // two unsigned integers: lookups of a frame, the lower half first
 
+// Of solids: block.glsl.
+#define RELIEVO_BLOCK_SOLID 0  // uniform buffer
+#define RELIEVO_SOLID_MOST_PARTS 4
+#define RELIEVO_SOLID_MOST_PIECES 32  // of the profile of a part
+#define RELIEVO_SOLID_EXTRUSION 0
+#define RELIEVO_SOLID_REVOLUTION 1
+#define RELIEVO_SOLID_REPEAT 0
+#define RELIEVO_SOLID_MIRROR 1
+#define RELIEVO_SOLID_CLAMP 2
+#define RELIEVO_SOLID_UNION 0
+#define RELIEVO_SOLID_INTERSECTION 1
+#define RELIEVO_SOLID_DIFFERENCE 2
+
+// How pictures are put on a solid: texturing.glsl.
+#define RELIEVO_TEXTURING_TOP 0       // along z: (u, v)
+#define RELIEVO_TEXTURING_FRONT 1     // along v: (u, z)
+#define RELIEVO_TEXTURING_DIAGONAL 2  // along u − v: ((u + v)/2, z)
+#define RELIEVO_TEXTURING_CYLINDER 3
+#define RELIEVO_TEXTURING_SPHERE 4
+#define RELIEVO_TEXTURING_BOX 5  // along the axis that the surface faces most
+
 // How a search ended.
 #define RELIEVO_OUTCOME_HIT 0        // at the first point found in the solid
 #define RELIEVO_OUTCOME_MISS 1       // the ray left the relief's window above the surface

@@ -1,11 +1,8 @@
-// Access to the maps of a relief. Every lookup of a search goes through here and is counted: the
-// count costs nothing where the program does not read it.
-
+// Access to the maps of a relief. Every lookup of a search goes through here and is counted.
+#include "relievo/fetches.glsl"
 #include "relievo/platform.glsl"
 
 uniform sampler2D relievoDepthMap;  // D, linear filter, wrap mode of the map
-
-int reliefFetchCount = 0;
 
 // Texels of the level that is searched.
 ivec2 reliefMapSize() { return textureSize(relievoDepthMap, reliefLevel); }

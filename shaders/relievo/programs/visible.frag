@@ -1,7 +1,9 @@
 // What each pixel of a frame shows, instead of its colour, and the lookups of all searches of the frame
 // together: those of fragments that are hidden later, too, which no sum over the pixels would have.
 #include "relievo/programs/surface_input.glsl"
-#ifndef RELIEVO_PLAIN
+#if defined(RELIEVO_SOLID)
+#include "relievo/programs/solid_input.glsl"
+#elif !defined(RELIEVO_PLAIN)
 #include "relievo/trace.glsl"
 #include "relievo/programs/depth_output.glsl"
 #endif
@@ -26,8 +28,6 @@ void show(vec3 position) {
 #ifdef RELIEVO_PLAIN
 void main() { show(surfacePosition); }
 #else
-uniform mat4 viewProjection;
-
 layout(std430, binding = RELIEVO_BUFFER_LOOKUPS) buffer Lookups {
     uint lookupsLow;
     uint lookupsHigh;
@@ -38,6 +38,17 @@ void countLookups(uint count) {
     if (before + count < before) atomicAdd(lookupsHigh, 1u);
 }
 
+#ifdef RELIEVO_SOLID
+void main() {
+    SolidTrace trace = solidInput();
+    countLookups(uint(trace.hit.fetches));
+    if (trace.hit.outcome != RELIEVO_OUTCOME_HIT) discard;
+    show(trace.position);
+    gl_FragDepth = solidWindowDepth(trace, viewProjection);
+}
+#else
+uniform mat4 viewProjection;
+
 void main() {
     ReliefTrace trace = reliefTrace(surfaceInput(), surfaceView());
     countLookups(uint(trace.hit.fetches));
@@ -45,4 +56,5 @@ void main() {
     show(trace.position);
     gl_FragDepth = reliefWindowDepth(trace.hit, trace.position, viewProjection);
 }
+#endif
 #endif

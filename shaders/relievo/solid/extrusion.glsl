@@ -1,0 +1,121 @@
+// Where a ray passes the surface of an extrusion d(u,v) = o(z) (specification 7.2), d bilinear between texel
+// centres and o straight from piece to piece: cells are solved exactly, one quadratic a piece, and from where
+// the ray leaves a cell it goes on as far as the distance there says that all is free. No step can pass the
+// surface, whatever its slope, and no second search is needed.
+//
+// Error: rounding of floats. Cost: one lookup a cell.
+#include "relievo/fetches.glsl"
+#include "relievo/platform.glsl"
+#include "relievo/search/walk.glsl"
+#include "relievo/solid/profile.glsl"
+
+// Puts the cursor on a wall of a piece, or on the level step that the ray has come to.
+void solidMeetWall(int index, float z, float t, inout SolidCursor cursor) {
+    SolidPiece piece = solidPieces[index];
+    float share = clamp((z - piece.line.x) / (piece.line.y - piece.line.x), 0.0, 1.0);
+    cursor.t = t;
+    cursor.side = vec3(0.0);
+    cursor.normal = mix(piece.normals.xy, piece.normals.zw, share);
+    cursor.isOnSurface = true;
+}
+
+void solidMeetStep(float t, float dz, inout SolidCursor cursor) {
+    cursor.t = t;
+    cursor.side = vec3(0.0, 0.0, (dz > 0.0) != cursor.isInside ? -1.0 : 1.0);
+    cursor.isOnSurface = false;
+}
+
+// Looks for the surface on the part of the walk's cell up to `exit`. `distances` are those of
+// reliefAlongCell in the sense of the ray. False: the cursor's piece is that at the exit.
+bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, float exit, bool isStart,
+                     inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    float dz = path.direction.z;
+    float from = walk.t;
+    bool isOnSurface = isStart && cursor.isOnSurface;
+    bool isStep = false;
+    for (int pieces = solidParts[part].ways.x; pieces > 0; --pieces) {
+        int index = solidPieceIndex(part, cursor.piece);
+        vec4 line = solidPieces[index].line;
+        float z = path.origin.z + from * dz;
+        float leave = kReliefBoundless;
+        if (dz != 0.0) leave = ((dz > 0.0 ? line.y : line.x) - path.origin.z) / dz;
+        float to = min(max(leave, from), exit);
+        float s = from - walk.t;
+        vec3 g = vec3(distances.x + (distances.y + distances.z * s) * s - sense * solidPieceOffset(index, z),
+                      distances.y + 2.0 * distances.z * s - sense * line.w * dz, distances.z);
+        float root = solidFirstRoot(g, to - from, isOnSurface);
+        if (root < kReliefBoundless) {
+            float t = from + root;
+            if (isStep && root == 0.0) {
+                solidMeetStep(t, dz, cursor);
+            } else {
+                solidMeetWall(index, path.origin.z + t * dz, t, cursor);
+            }
+            return true;
+        }
+        if (leave >= exit) return false;
+        int next = cursor.piece + (dz > 0.0 ? 1 : -1);
+        if (next < 0 || next >= solidParts[part].ways.x) return false;
+        float border = dz > 0.0 ? line.y : line.x;
+        int nextIndex = solidPieceIndex(part, next);
+        // Where the offsets agree the next piece begins with a wall, whatever rounding says.
+        float rise = sense * (solidPieceOffset(nextIndex, border) - solidPieceOffset(index, border));
+        isStep = rise > 1e-3;
+        cursor.piece = next;
+        from = to;
+        isOnSurface = false;
+    }
+    return false;
+}
+
+// On to the next place where the ray passes the surface, from the cursor's.
+void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
+    ReliefWalk walk = reliefBeginWalk(path.origin.xy, path.direction.xy, textureSize(map, 0),
+                                      solidIsClamped(part));
+    if (cursor.t > 0.0) reliefJumpWalk(walk, cursor.t);
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    float dz = path.direction.z;
+    float speed = length(walk.speed);
+    int way = solidWay(dz, cursor.isInside);
+    bool isStart = true;
+    while (solidSteps < relievoSolidSteps) {
+        ++solidSteps;
+        ++reliefFetchCount;
+        vec3 distances = sense * reliefAlongCell(walk, reliefGather(map, reliefWalkGather(walk)));
+        float exit = min(walk.exit, path.leave);
+        float z = path.origin.z + walk.t * dz;
+        float clear = walk.t;
+        if (!isStart || !cursor.isOnSurface) {
+            float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
+            if (isStart && distances.x <= offset) {
+                // What is solid where a ray begins shows the side that it came in by.
+                cursor.side = path.enterNormal;
+                return;
+            }
+            clear += solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
+        }
+        if (clear <= exit && solidMeetInCell(part, path, walk, distances, exit, isStart, cursor)) return;
+        z = path.origin.z + exit * dz;
+        cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
+        float span = exit - walk.t;
+        float distance = distances.x + (distances.y + distances.z * span) * span;
+        clear = max(clear,
+                    exit + solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed));
+        if (clear >= path.leave) {
+            cursor.t = cursor.isInside ? path.leave : kReliefBoundless;
+            cursor.side = path.leaveNormal;
+            cursor.isOnSurface = false;
+            return;
+        }
+        isStart = false;
+        if (clear > walk.exit) {
+            reliefJumpWalk(walk, clear);
+        } else {
+            reliefStepWalk(walk);
+        }
+        cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
+    }
+    cursor.t = walk.t;
+    solidIsExhausted = true;
+}

@@ -1,0 +1,60 @@
+// The profile of an extrusion along a ray.
+#include "relievo/solid/path.glsl"
+
+int solidPieceIndex(int part, int piece) { return part * RELIEVO_SOLID_MOST_PIECES + piece; }
+
+float solidPieceOffset(int index, float z) {
+    vec4 line = solidPieces[index].line;
+    return line.z + line.w * (z - line.x);
+}
+
+// The piece at depth z or, going that way, at the next one; never back.
+int solidPieceAt(int part, int piece, float z, float dz) {
+    int last = solidParts[part].ways.x - 1;
+    if (dz >= 0.0) {
+        while (piece < last && z >= solidPieces[solidPieceIndex(part, piece)].line.y) ++piece;
+    } else {
+        while (piece > 0 && z <= solidPieces[solidPieceIndex(part, piece)].line.x) --piece;
+    }
+    return piece;
+}
+
+// The piece where a ray begins.
+int solidFirstPiece(int part, float z, float dz) {
+    return solidPieceAt(part, dz >= 0.0 ? 0 : solidParts[part].ways.x - 1, z, dz);
+}
+
+// How far t can grow for certain before the ray passes the surface, at a place whose distance has the sense
+// of the ray (that of outside; its negative inside) and lies in `piece` at depth z.
+float solidFreeOfProfile(int part, int piece, int way, float distance, float z, float dz, float speed) {
+    int index = solidPieceIndex(part, piece);
+    float gap = distance - solidParts[part].section.w;
+    float sense = way < 2 ? 1.0 : -1.0;
+    float everywhere = solidFree(gap - solidPieces[index].extremes[way], 0.0, speed);
+    float closing = max(solidPieces[index].chords[way], 0.0) * abs(dz);
+    float here = solidFree(gap - sense * solidPieceOffset(index, z), closing, speed);
+    if (dz != 0.0) here = min(here, max((solidPieces[index].limits[way] - z) / dz, 0.0));
+    return kSolidShort * max(everywhere, here);
+}
+
+// The first s in [0, span] with x + y·s + z·s² ≤ 0; kReliefBoundless: none. One that begins on the surface
+// goes on to where it comes back.
+float solidFirstRoot(vec3 g, float span, bool isOnSurface) {
+    float s = kReliefBoundless;
+    if (isOnSurface) {
+        if (g.y <= 0.0) return 0.0;
+        if (g.z < 0.0) s = -g.y / g.z;
+    } else {
+        if (g.x <= 0.0) return 0.0;
+        float discriminant = g.y * g.y - 4.0 * g.z * g.x;
+        if (discriminant < 0.0) return kReliefBoundless;
+        float root = sqrt(discriminant);
+        // The smaller positive root in the form in which nothing cancels.
+        if (g.y <= 0.0) {
+            s = root - g.y > 0.0 ? 2.0 * g.x / (root - g.y) : kReliefBoundless;
+        } else if (g.z < 0.0) {
+            s = (g.y + root) / (-2.0 * g.z);
+        }
+    }
+    return s <= span ? s : kReliefBoundless;
+}

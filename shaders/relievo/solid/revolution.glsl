@@ -1,0 +1,202 @@
+// Where a ray passes the surface of a revolution d(|R|, z) = e (specification 7.3), d bilinear in the section:
+// the sphere as large as the distance is free of it, and within a cell the ray goes on to where a parabola
+// that lies below the distance along it comes down to the surface. That is never behind the surface, and
+// twice as many digits are right each time. Every replica is a solid of its own: no step leaves its tile.
+//
+// Error: rounding of floats. Cost: one lookup a cell.
+#include "relievo/fetches.glsl"
+#include "relievo/platform.glsl"
+#include "relievo/solid/section.glsl"
+
+// Texels: what floats make of distances from the axis of a thousand texels.
+const float kSolidTouch = 2e-5;
+const int kSolidParabolas = 48;
+
+// The corners of the section's cell, in the order of textureGather. Beyond the border the last texels go on:
+// the sampler clamps.
+vec4 solidSectionCorners(sampler2D map, SolidSection section) {
+    ++reliefFetchCount;
+    return reliefGather(map, vec2(section.cell + 1) / vec2(section.size));
+}
+
+// A bilinear cell along the ray, less the extension, in the sense of the ray.
+struct SolidCellField {
+    vec4 terms;  // corner, slope across, slope down, twist
+};
+
+SolidCellField solidCellField(vec4 corners, float extension, float sense) {
+    vec2 slope = vec2(corners.z, corners.x) - corners.w;
+    return SolidCellField(sense * vec4(corners.w - extension, slope, (corners.y - corners.x) - slope.x));
+}
+
+float solidFieldAt(SolidCellField field, SolidSection section, float t) {
+    vec2 place = solidPlaceInSection(section, t);
+    return field.terms.x + field.terms.y * place.x + (field.terms.z + field.terms.w * place.x) * place.y;
+}
+
+// Along the ray at t: the slope of the field, a bound of its bend up to `end` on the same side of the turn,
+// and a bound of its slope there.
+vec3 solidFieldSlopes(SolidCellField field, SolidSection section, float t, float end) {
+    vec2 place = solidPlaceInSection(section, t);
+    float square = section.across * section.across;
+    float radius = max(solidRadius(section, t), 1e-6);
+    float least = max(min(radius, solidRadius(section, end)), 1e-6);
+    float widening = square * (t - section.turn) / radius;
+    float hollow = section.nearest / least;
+    float bend = square * hollow * hollow / least;
+    float across = max(abs(field.terms.y), abs(field.terms.y + field.terms.w));
+    float down = max(abs(field.terms.z), abs(field.terms.z + field.terms.w));
+    float slope = (field.terms.y + field.terms.w * place.y) * widening +
+                  (field.terms.z + field.terms.w * place.x) * section.down;
+    return vec3(slope, 2.0 * abs(field.terms.w * section.down) * section.across + across * bend,
+                across * section.across + down * abs(section.down));
+}
+
+// The first t from `from` on to `end` at which the field comes down to 0; kReliefBoundless: none. False: it
+// has not come so far, and `from` is where it has come.
+bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool isOnSurface, inout float from,
+                    out float root) {
+    root = kReliefBoundless;
+    bool isLeaving = isOnSurface;
+    for (int k = 0; k < kSolidParabolas; ++k) {
+        float stretch = from < section.turn ? min(section.turn, end) : end;
+        vec3 slopes = solidFieldSlopes(field, section, from, stretch);
+        float value = solidFieldAt(field, section, from);
+        float way;
+        if (isLeaving) {
+            // Off the surface: there is none on the first part of a parabola that rises.
+            way = slopes.x > 0.0 ? slopes.x / max(slopes.y, 1e-30) : 0.0;
+            if (from + way == from) {
+                if (slopes.x <= 0.0) root = from;
+                return true;
+            }
+            isLeaving = false;
+        } else {
+            if (value <= kSolidTouch) {
+                root = from;
+                return true;
+            }
+            float parabola = sqrt(slopes.x * slopes.x + 2.0 * slopes.y * value) - slopes.x;
+            way = max(2.0 * value / max(parabola, 1e-30), value / max(slopes.z, 1e-30));
+            if (from + way == from) {
+                root = from;
+                return true;
+            }
+        }
+        if (from + way >= stretch) {
+            if (stretch >= end) {
+                from = end;
+                return true;
+            }
+            from = stretch;
+        } else {
+            from += way;
+        }
+    }
+    return false;
+}
+
+bool solidIsTurned(int part, int tile) { return solidIsMirrored(part) && (tile & 1) != 0; }
+
+// t at which the ray leaves a replica, and along which axis.
+float solidTileExit(SolidPath path, ivec3 tile, out int axis) {
+    float exit = kReliefBoundless;
+    axis = 2;
+    for (int k = 0; k < 3; ++k) {
+        float direction = path.direction[k];
+        if (direction == 0.0) continue;
+        float border = float(tile[k] + (direction > 0.0 ? 1 : 0));
+        float leave = (border - path.origin[k]) / direction;
+        if (leave < exit) {
+            exit = leave;
+            axis = k;
+        }
+    }
+    return exit;
+}
+
+// The replica that the ray is in at t; on a border the one that it goes into.
+ivec3 solidTileAt(int part, SolidPath path, float t) {
+    vec3 point = solidPoint(path, t);
+    vec3 tile = mix(floor(point), ceil(point) - 1.0, lessThan(path.direction, vec3(0.0)));
+    vec3 low = floor(solidParts[part].windowMinimum.xyz);
+    vec3 high = max(ceil(solidParts[part].windowMaximum.xyz) - 1.0, low);
+    return ivec3(clamp(clamp(tile, low, high), -1e6, 1e6));
+}
+
+SolidSection solidSectionOf(int part, SolidPath path, ivec3 tile, ivec2 size, float t) {
+    return solidBeginSection(path, solidParts[part].section.xy, tile, solidIsTurned(part, tile.z), size, t);
+}
+
+// On to the next place where the ray passes the surface, from the cursor's.
+void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
+    ivec2 size = textureSize(map, 0);
+    vec4 info = solidParts[part].section;
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    float speed = length(path.direction * vec3(size.xx, size.y));
+    SolidSection section = solidSectionOf(part, path, cursor.tile, size, cursor.t);
+    int axis;
+    float tileExit = min(solidTileExit(path, cursor.tile, axis), path.leave);
+    vec3 side = path.enterNormal;
+    bool isFresh = true;  // at the start, or behind the border of a replica
+    bool isOnSurface = cursor.isOnSurface;
+    while (solidSteps < relievoSolidSteps) {
+        ++solidSteps;
+        SolidCellField field = solidCellField(solidSectionCorners(map, section), info.z, sense);
+        float exit = max(min(section.exit, tileExit), section.t);
+        float clear = section.t;
+        if (!isOnSurface) {
+            float value = solidFieldAt(field, section, section.t);
+            if (isFresh && value <= 0.0) {
+                // What is solid where a ray comes in shows the side that it came in by.
+                cursor.t = section.t;
+                cursor.side = side;
+                return;
+            }
+            clear += kSolidShort * solidFree(value - info.w, 0.0, speed);
+        }
+        if (clear <= exit) {
+            float root;
+            float from = section.t;
+            bool isSettled = solidFieldRoot(field, section, exit, isOnSurface, from, root);
+            if (root < kReliefBoundless) {
+                cursor.t = root;
+                cursor.side = vec3(0.0);
+                cursor.normal = vec2(1.0, 0.0);
+                cursor.isOnSurface = true;
+                return;
+            }
+            if (!isSettled) {
+                section.t = from;
+                isFresh = isOnSurface = false;
+                continue;
+            }
+        }
+        clear = max(clear, exit + kSolidShort * solidFree(solidFieldAt(field, section, exit) - info.w, 0.0,
+                                                          speed));
+        isFresh = isOnSurface = false;
+        if (clear < tileExit) {
+            if (clear > section.exit) {
+                solidJumpSection(section, clear);
+            } else {
+                solidStepSection(section);
+            }
+            continue;
+        }
+        cursor.isOnSurface = false;
+        if (tileExit >= path.leave) {
+            cursor.t = cursor.isInside ? path.leave : kReliefBoundless;
+            cursor.side = path.leaveNormal;
+            return;
+        }
+        float ahead = sign(path.direction[axis]);
+        cursor.tile[axis] += int(ahead);
+        side = vec3(0.0);
+        side[axis] = -sense * ahead;
+        section = solidSectionOf(part, path, cursor.tile, size, tileExit);
+        tileExit = max(min(solidTileExit(path, cursor.tile, axis), path.leave), section.t);
+        isFresh = true;
+    }
+    cursor.t = section.t;
+    solidIsExhausted = true;
+}
