@@ -92,8 +92,9 @@ SolidHit solidSearch(SolidRay ray) {
     // Surfaces that rounding alone keeps apart are passed together.
     float together = 1e-6 * min(ray.end, RELIEVO_MAXIMUM_REACH);
     bool wasWithin = false;
+    float t = 0.0;
     while (!solidIsExhausted) {
-        float t = kReliefBoundless;
+        t = kReliefBoundless;
         for (int part = 0; part < RELIEVO_SOLID_PARTS; ++part) t = min(t, cursors[part].t);
         if (t > ray.end) return solidMiss(ray, ray.end, RELIEVO_OUTCOME_MISS);
         int passed[RELIEVO_SOLID_PARTS];
@@ -124,6 +125,6 @@ SolidHit solidSearch(SolidRay ray) {
             }
         }
     }
-    return solidMiss(ray, ray.end, RELIEVO_OUTCOME_EXHAUSTED);
+    return solidMiss(ray, min(t, ray.end), RELIEVO_OUTCOME_EXHAUSTED);
 }
 #endif

@@ -27,12 +27,11 @@ void solidMeetStep(float t, float dz, inout SolidCursor cursor) {
 
 // Looks for the surface on the part of the walk's cell up to `exit`. `distances` are those of
 // reliefAlongCell in the sense of the ray. False: the cursor's piece is that at the exit.
-bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, float exit, bool isStart,
+bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, float exit, bool isOnSurface,
                      inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
     float dz = path.direction.z;
     float from = walk.t;
-    bool isOnSurface = isStart && cursor.isOnSurface;
     bool isStep = false;
     for (int pieces = solidParts[part].ways.x; pieces > 0; --pieces) {
         int index = solidPieceIndex(part, cursor.piece);
@@ -79,6 +78,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     float speed = length(walk.speed);
     int way = solidWay(dz, cursor.isInside);
     bool isStart = true;
+    bool isOnSurface = cursor.isOnSurface;
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
@@ -86,7 +86,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
         float clear = walk.t;
-        if (!isStart || !cursor.isOnSurface) {
+        if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
             if (isStart && distances.x <= offset) {
                 // What is solid where a ray begins shows the side that it came in by.
@@ -95,7 +95,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
             }
             clear += solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
         }
-        if (clear <= exit && solidMeetInCell(part, path, walk, distances, exit, isStart, cursor)) return;
+        if (clear <= exit && solidMeetInCell(part, path, walk, distances, exit, isOnSurface, cursor)) return;
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
@@ -109,11 +109,10 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
             return;
         }
         isStart = false;
-        if (clear > walk.exit) {
-            reliefJumpWalk(walk, clear);
-        } else {
-            reliefStepWalk(walk);
-        }
+        isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
+        // The step alone is sure to leave the cell.
+        reliefStepWalk(walk);
+        if (clear > walk.exit) reliefJumpWalk(walk, clear);
         cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
     }
     cursor.t = walk.t;

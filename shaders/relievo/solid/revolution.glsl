@@ -8,8 +8,8 @@
 #include "relievo/platform.glsl"
 #include "relievo/solid/section.glsl"
 
-// Texels: what floats make of distances from the axis of a thousand texels.
-const float kSolidTouch = 2e-5;
+// Texels: what floats make of distances from the axis of a thousand texels. Nearer is on the surface.
+const float kSolidTouch = 6e-5;
 const int kSolidParabolas = 48;
 
 // The corners of the section's cell, in the order of textureGather. Beyond the border the last texels go on:
@@ -52,46 +52,44 @@ vec3 solidFieldSlopes(SolidCellField field, SolidSection section, float t, float
                 across * section.across + down * abs(section.down));
 }
 
+// How far the field is from 0 for certain, at a place where it has that value and slopes.
+float solidFreeOfField(float value, vec3 slopes) {
+    float parabola = sqrt(slopes.x * slopes.x + 2.0 * slopes.y * value) - slopes.x;
+    return max(2.0 * value / max(parabola, 1e-30), value / max(slopes.z, 1e-30));
+}
+
+// From a place on the surface to where the field can first say on which side the ray is: the top of the
+// parabola below it when it rises, and no less than what the field can change by unnoticed.
+float solidLeaveSurface(vec3 slopes) {
+    float rise = slopes.x > 0.0 ? slopes.x / max(slopes.y, 1e-30) : 0.0;
+    return max(rise, max(sqrt(kSolidTouch / max(slopes.y, 1e-30)), kSolidTouch / max(slopes.z, 1e-30)));
+}
+
 // The first t from `from` on to `end` at which the field comes down to 0; kReliefBoundless: none. False: it
-// has not come so far, and `from` is where it has come.
+// has not come so far, and `from` is where it has come. Up to the turn and from there on the bounds are
+// different ones.
 bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool isOnSurface, inout float from,
                     out float root) {
     root = kReliefBoundless;
-    bool isLeaving = isOnSurface;
+    float touch = isOnSurface ? 0.0 : kSolidTouch;
     for (int k = 0; k < kSolidParabolas; ++k) {
         float stretch = from < section.turn ? min(section.turn, end) : end;
         vec3 slopes = solidFieldSlopes(field, section, from, stretch);
         float value = solidFieldAt(field, section, from);
         float way;
-        if (isLeaving) {
-            // Off the surface: there is none on the first part of a parabola that rises.
-            way = slopes.x > 0.0 ? slopes.x / max(slopes.y, 1e-30) : 0.0;
-            if (from + way == from) {
-                if (slopes.x <= 0.0) root = from;
-                return true;
-            }
-            isLeaving = false;
+        if (isOnSurface) {
+            way = solidLeaveSurface(slopes);
+            isOnSurface = false;
         } else {
-            if (value <= kSolidTouch) {
-                root = from;
-                return true;
-            }
-            float parabola = sqrt(slopes.x * slopes.x + 2.0 * slopes.y * value) - slopes.x;
-            way = max(2.0 * value / max(parabola, 1e-30), value / max(slopes.z, 1e-30));
-            if (from + way == from) {
+            if (value > 2.0 * kSolidTouch) touch = kSolidTouch;
+            way = solidFreeOfField(value, slopes);
+            if (value <= touch || from + way == from) {
                 root = from;
                 return true;
             }
         }
-        if (from + way >= stretch) {
-            if (stretch >= end) {
-                from = end;
-                return true;
-            }
-            from = stretch;
-        } else {
-            from += way;
-        }
+        from = min(from + way, stretch);
+        if (from >= end) return true;
     }
     return false;
 }
@@ -174,13 +172,12 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         }
         clear = max(clear, exit + kSolidShort * solidFree(solidFieldAt(field, section, exit) - info.w, 0.0,
                                                           speed));
-        isFresh = isOnSurface = false;
+        isFresh = false;
+        isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
         if (clear < tileExit) {
-            if (clear > section.exit) {
-                solidJumpSection(section, clear);
-            } else {
-                solidStepSection(section);
-            }
+            // The step alone is sure to leave the cell.
+            solidStepSection(section);
+            if (clear > section.exit) solidJumpSection(section, clear);
             continue;
         }
         cursor.isOnSurface = false;

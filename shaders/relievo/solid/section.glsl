@@ -59,10 +59,14 @@ void solidFindSectionExit(inout SolidSection section) {
     section.exit = max(min(exits.x, exits.y), section.t);
 }
 
-// On to the cell of the ray's point at t.
+// On to the cell of the ray's point at t, never back.
 void solidJumpSection(inout SolidSection section, float t) {
     vec2 place = vec2(solidRadius(section, t) - 0.5, section.start + t * section.down);
-    section.cell = ivec2(clamp(floor(place), vec2(-1.0), vec2(section.size - 1)));
+    ivec2 target = ivec2(clamp(floor(place), vec2(-1.0), vec2(section.size - 1)));
+    if (t < section.turn) target.x = min(target.x, section.cell.x);
+    if (section.t >= section.turn) target.x = max(target.x, section.cell.x);
+    target.y = section.down > 0.0 ? max(target.y, section.cell.y) : min(target.y, section.cell.y);
+    section.cell = target;
     section.t = t;
     solidFindSectionExit(section);
 }
@@ -95,6 +99,9 @@ SolidSection solidBeginSection(SolidPath path, vec2 axis, ivec3 tile, bool isTur
     float depth = path.origin.z - float(tile.z);
     section.start = height * (isTurned ? 1.0 - depth : depth) - 0.5;
     section.down = height * (isTurned ? -path.direction.z : path.direction.z);
-    solidJumpSection(section, t);
+    vec2 place = vec2(solidRadius(section, t) - 0.5, section.start + t * section.down);
+    section.cell = ivec2(clamp(floor(place), vec2(-1.0), vec2(size - 1)));
+    section.t = t;
+    solidFindSectionExit(section);
     return section;
 }
