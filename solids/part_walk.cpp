@@ -123,6 +123,8 @@ std::optional<SolidCrossing> PartWalk::next() {
         crossing = extrusion->next();
     else if (auto* revolution = std::get_if<RevolutionWalk>(&walk_))
         crossing = revolution->next();
+    if (crossing && !std::isfinite(std::scalbn(crossing->t, -exponent_)))
+        return std::nullopt;  // further than doubles go
     if (crossing) {
         last_ = std::max(last_, begin_ + std::scalbn(crossing->t, -exponent_));
         crossing->t = last_;

@@ -24,23 +24,6 @@ class Comparison {
         return glm::dvec3(part_.fromWhole * glm::dvec4(ray_.origin + t * ray_.direction, 1.0));
     }
 
-    // Whether rounding decides about a place.
-    [[nodiscard]] bool isTie(const glm::dvec3& p) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (std::abs(p[axis] - part_.windowMinimum[axis]) < kBorder ||
-                std::abs(p[axis] - part_.windowMaximum[axis]) < kBorder)
-                return true;
-            if (part_.solid.kind == SolidKind::Revolution &&
-                std::abs(p[axis] - std::round(p[axis])) < kBorder)
-                return true;
-        }
-        if (part_.solid.kind == SolidKind::Extrusion)
-            for (const ProfilePiece& piece : part_.solid.profile.pieces)
-                if (std::abs(p.z - piece.bottom) < kBorder)
-                    return true;
-        return std::abs(plainClearance(part_.solid, p)) < kLeastClearance;
-    }
-
     [[nodiscard]] bool listedInside(double t) const {
         bool isInside = false;
         for (const SolidCrossing& crossing : crossings_)
@@ -53,7 +36,7 @@ class Comparison {
         const bool listed = listedInside(t);
         const glm::dvec3 p = place(t);
         const bool plain = plainInside(part_, ray_.origin + t * ray_.direction);
-        if (listed == plain || isTie(p))
+        if (listed == plain || isTie(part_, p))
             return std::nullopt;
         return fmt::format("at t = {}, ({}, {}, {}): {} by the crossings, d - o = {}", t, p.x, p.y,
                            p.z, listed ? "inside" : "outside", plainClearance(part_.solid, p));
@@ -77,6 +60,22 @@ class Comparison {
 };
 
 }  // namespace
+
+bool isTie(const SolidPart& part, const glm::dvec3& place) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(place[axis] - part.windowMinimum[axis]) < kBorder ||
+            std::abs(place[axis] - part.windowMaximum[axis]) < kBorder)
+            return true;
+        if (part.solid.kind == SolidKind::Revolution &&
+            std::abs(place[axis] - std::round(place[axis])) < kBorder)
+            return true;
+    }
+    if (part.solid.kind == SolidKind::Extrusion)
+        for (const ProfilePiece& piece : part.solid.profile.pieces)
+            if (std::abs(place.z - piece.bottom) < kBorder)
+                return true;
+    return std::abs(plainClearance(part.solid, place)) < kLeastClearance;
+}
 
 std::optional<std::string> disagreement(const SolidPart& part,
                                         const std::vector<SolidCrossing>& crossings,

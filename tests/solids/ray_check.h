@@ -8,6 +8,10 @@
 
 namespace relievo::solids {
 
+/// Whether rounding decides about a place of the part's tile space: |d − o| under 1e-11, or a
+/// border of the window, of a replica or of a piece of the profile within 1e-9.
+bool isTie(const SolidPart& part, const glm::dvec3& place);
+
 /// Compares the crossings of a ray with one part with the implicit function itself, evaluated in
 /// another way, at `samples` places between 0 and `end`, between the crossings, and at the minima
 /// of its size that those hint at. Nothing if all agree, else what does not. Places count unless

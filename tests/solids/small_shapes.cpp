@@ -72,6 +72,19 @@ std::shared_ptr<const ShapeMap> randomTexels(int width, int height, WrapMode wra
     return shapeOf(width, height, wrap, [&](const glm::dvec2&) { return value(random); });
 }
 
+SolidPart extrusion(std::shared_ptr<const textures::ShapeMap> shape, Profile profile) {
+    SolidPart part;
+    part.solid = {std::move(shape), SolidKind::Extrusion, std::move(profile), 0.0, glm::dvec2(0.5)};
+    return part;
+}
+
+SolidPart revolution(std::shared_ptr<const textures::ShapeMap> shape, double extension,
+                     glm::dvec2 axis) {
+    SolidPart part;
+    part.solid = {std::move(shape), SolidKind::Revolution, makeProfile(0.0), extension, axis};
+    return part;
+}
+
 double plainDistance(const Solid& solid, const glm::dvec3& place) {
     const ShapeMap& map = *solid.shape;
     if (solid.kind == SolidKind::Extrusion)

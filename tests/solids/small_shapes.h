@@ -36,6 +36,12 @@ std::shared_ptr<const textures::ShapeMap> randomTexels(int width, int height,
                                                        textures::WrapMode wrap,
                                                        std::mt19937_64& random);
 
+/// A part with an extrusion in the window [0,1]³.
+SolidPart extrusion(std::shared_ptr<const textures::ShapeMap> shape, Profile profile);
+/// A part with a revolution in the window [0,1]³.
+SolidPart revolution(std::shared_ptr<const textures::ShapeMap> shape, double extension = 0.0,
+                     glm::dvec2 axis = glm::dvec2(0.5));
+
 /// d of the solid at a place of its tile space, by textures::sampleBilinear: another way than the
 /// tracer's.
 double plainDistance(const Solid& solid, const glm::dvec3& place);
