@@ -56,6 +56,12 @@ glm::dvec2 nearestPoint(const BoundarySegment& segment, const glm::dvec2& place)
     return segment.start + share * along;
 }
 
+glm::dvec2 normalOf(const BoundarySegment& segment) {
+    const glm::dvec2 along = segment.end - segment.start;
+    const double length = glm::length(along);
+    return length > 0.0 ? glm::dvec2(along.y, -along.x) / length : glm::dvec2(0.0, -1.0);
+}
+
 void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
            BoundaryDistances& distances) {
     for (int k = 0; k < kLanes; ++k) {
@@ -68,7 +74,7 @@ void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
         const glm::dvec2 away = place - nearestPoint(tree.segments[number], place);
         const double distance = glm::length(away);
         distances.distance.at(column, row) = static_cast<float>(distance);
-        const glm::dvec2 unit = distance > 0.0 ? away / distance : glm::dvec2(0.0);
+        const glm::dvec2 unit = distance > 0.0 ? away / distance : normalOf(tree.segments[number]);
         distances.awayX.at(column, row) = static_cast<float>(unit.x);
         distances.awayY.at(column, row) = static_cast<float>(unit.y);
     }
