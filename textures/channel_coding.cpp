@@ -28,16 +28,33 @@ ChannelRange signedRange(std::span<const Plane* const> levels, StorageFormat for
     return {-zero * step, (zero - 1.0) * step};
 }
 
-/// As signedRange, but all codes for what there is when nothing is below 0: code 0 is 0 then.
+/// The greatest step of 20 significant bits of which `codes` are not above `value` ≥ 0 as a float.
+/// Found again from its own product: values that were stored keep their codes.
+double stepWithin(float value, double codes) {
+    int exponent = 0;
+    std::frexp(value / codes, &exponent);
+    const double quantum = std::ldexp(1.0, exponent - 20);
+    double steps = std::floor(value / codes / quantum) + 1.0;
+    while (static_cast<float>(codes * steps * quantum) > value)
+        steps -= 1.0;
+    return steps * quantum;
+}
+
+/// As signedRange, but what is rounded towards 0 must not need a code beyond the last: the greatest
+/// value gets that one. With all codes for what there is when nothing is below 0.
 ChannelRange distanceRange(std::span<const Plane* const> levels, StorageFormat format) {
+    float least = 0.0f;
     float greatest = 0.0f;
     for (const Plane* level : levels)
         for (const float value : level->texels) {
-            if (value < 0.0f)
-                return signedRange(levels, format);
+            least = std::min(least, value);
             greatest = std::max(greatest, value);
         }
-    return {0.0, greatest > 0.0f ? greatest : 1.0};
+    if (least == 0.0f)
+        return {0.0, greatest > 0.0f ? greatest : 1.0};
+    const double zero = format == StorageFormat::U16 ? 32768.0 : 128.0;
+    const double step = std::max(stepWithin(greatest, zero - 1.0), stepWithin(-least, zero));
+    return {-zero * step, (zero - 1.0) * step};
 }
 
 /// Unlimited cones count for neither end.
