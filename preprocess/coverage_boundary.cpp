@@ -1,10 +1,14 @@
 #include "preprocess/coverage_boundary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "preprocess/coverage_corners.h"
 #include "preprocess/coverage_outline.h"
+#include "preprocess/texel_sides.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -12,27 +16,65 @@ namespace {
 using textures::Plane;
 using textures::WrapMode;
 
-// Whether b lies exactly between a and c, on a row or a column.
-bool isOnLine(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y);
+constexpr double kTolerance = 0.01;  // texels that points may lie beside a segment
+constexpr int kMostPoints = 64;      // that one segment stands for
+
+double distanceFromLine(const glm::dvec2& start, const glm::dvec2& end, const glm::dvec2& place) {
+    const glm::dvec2 along = end - start;
+    const glm::dvec2 to = place - start;
+    const double length = glm::length(along);
+    return length > 0.0 ? std::abs(along.x * to.y - along.y * to.x) / length : glm::length(to);
 }
 
-std::vector<BoundarySegment> segmentsOf(const OutlineChain& chain) {
-    std::vector<BoundarySegment> segments;
-    const auto add = [&](const glm::dvec2& start, const glm::dvec2& end) {
-        if (start == end)
-            return;
-        if (!segments.empty() && isOnLine(segments.back().start, start, end))
-            segments.back().end = end;
-        else
-            segments.push_back({start, end});
-    };
-    for (std::size_t k = 0; k + 1 < chain.points.size(); ++k)
-        add(chain.points[k].place, chain.points[k + 1].place);
-    if (chain.isClosed)
-        add(chain.points.back().place, chain.points.front().place + chain.period);
-    return segments;
+bool isNearCentre(const glm::dvec2& place) {
+    const glm::dvec2 offset = glm::abs(glm::fract(place) - 0.5);
+    return std::max(offset.x, offset.y) < 3.0 * kTolerance;
 }
+
+// A chain by as few segments as keep its points within the tolerance.
+class Simplifier {
+  public:
+    Simplifier(const OutlineChain& chain, TexelSides& sides) : sides_(sides) {
+        for (const OutlinePoint& point : chain.points)
+            places_.push_back(point.place);
+        if (chain.isClosed)
+            places_.push_back(chain.points.front().place + chain.period);
+    }
+
+    [[nodiscard]] std::vector<BoundarySegment> simplify() {
+        std::vector<BoundarySegment> segments;
+        for (std::size_t start = 0; start + 1 < places_.size();) {
+            std::size_t end = start + 1;
+            while (end + 1 < places_.size() && end - start < kMostPoints &&
+                   isStraight(start, end + 1))
+                ++end;
+            keepSides(start, end);
+            if (places_[start] != places_[end])
+                segments.push_back({places_[start], places_[end]});
+            start = end;
+        }
+        return segments;
+    }
+
+  private:
+    [[nodiscard]] bool isStraight(std::size_t start, std::size_t end) const {
+        for (std::size_t k = start + 1; k < end; ++k)
+            if (distanceFromLine(places_[start], places_[end], places_[k]) > kTolerance)
+                return false;
+        return true;
+    }
+
+    // A centre may lie between the segment and the points that it stands for.
+    void keepSides(std::size_t start, std::size_t end) {
+        const auto first = places_.begin() + static_cast<std::ptrdiff_t>(start);
+        const auto last = places_.begin() + static_cast<std::ptrdiff_t>(end);
+        if (end > start + 1 && std::any_of(first + 1, last, isNearCentre))
+            sides_.flipWithin(std::span(first, last + 1));
+    }
+
+    std::vector<glm::dvec2> places_;
+    TexelSides& sides_;
+};
 
 // Adds the copies of a segment that are within half a tile of the tile.
 void addCopies(const BoundarySegment& segment, const glm::dvec2& size,
@@ -52,20 +94,18 @@ void addCopies(const BoundarySegment& segment, const glm::dvec2& size,
 }  // namespace
 
 CoverageBoundary coverageBoundary(const Plane& coverage, WrapMode wrap) {
-    CoverageBoundary boundary;
-    boundary.inside.resize(coverage.texels.size());
-    std::ranges::transform(coverage.texels, boundary.inside.begin(), [](float value) {
-        return value >= 0.5f ? std::uint8_t{1} : std::uint8_t{0};
-    });
+    TexelSides sides(coverage, wrap);
     std::vector<OutlineChain> chains = traceCoverage(coverage, wrap);
-    sharpenCorners(coverage, wrap, chains, boundary.inside);
+    sharpenCorners(coverage, chains, sides);
+    CoverageBoundary boundary;
     const glm::dvec2 size(coverage.width, coverage.height);
     for (const OutlineChain& chain : chains)
-        for (const BoundarySegment& segment : segmentsOf(chain))
+        for (const BoundarySegment& segment : Simplifier(chain, sides).simplify())
             if (wrap == WrapMode::Repeat)
                 addCopies(segment, size, boundary.segments);
             else
                 boundary.segments.push_back(segment);
+    boundary.inside = std::move(sides.inside);
     return boundary;
 }
 

@@ -19,7 +19,7 @@ struct CoverageBoundary {
 };
 
 /// The outline at half coverage of a bitmap in [0,1], with its corners (traceCoverage,
-/// sharpenCorners). Pieces along rows and columns that lie on one line are one segment.
+/// sharpenCorners). Its points are joined by segments that are within 0.01 texels of them.
 CoverageBoundary coverageBoundary(const textures::Plane& coverage, textures::WrapMode wrap);
 
 }  // namespace relievo::preprocess

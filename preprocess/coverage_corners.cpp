@@ -6,13 +6,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <span>
 
 namespace relievo::preprocess {
 namespace {
 
 using textures::Plane;
-using textures::WrapMode;
 
 constexpr int kMostBetween = 12;      // points that give way
 constexpr double kFarthest = 6.0;     // texels from the last sure point to the corner
@@ -132,22 +130,9 @@ class ChainPoints {
     int count_;
 };
 
-bool isInsideLoop(std::span<const glm::dvec2> loop, const glm::dvec2& place) {
-    bool inside = false;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-        const glm::dvec2& a = loop[k];
-        const glm::dvec2& b = loop[(k + 1) % loop.size()];
-        if ((a.y <= place.y) != (b.y <= place.y) &&
-            place.x < a.x + (place.y - a.y) / (b.y - a.y) * (b.x - a.x))
-            inside = !inside;
-    }
-    return inside;
-}
-
 class Sharpener {
   public:
-    Sharpener(const Plane& coverage, WrapMode wrap, std::vector<std::uint8_t>& inside)
-        : coverage_(coverage), wrap_(wrap), inside_(inside) {}
+    Sharpener(const Plane& coverage, TexelSides& sides) : coverage_(coverage), sides_(sides) {}
 
     void sharpen(OutlineChain& chain) {
         const ChainPoints points(chain);
@@ -219,8 +204,8 @@ class Sharpener {
     }
 
     [[nodiscard]] float at(int i, int j) const {
-        return coverage_.at(textures::wrapIndex(i, coverage_.width, wrap_),
-                            textures::wrapIndex(j, coverage_.height, wrap_));
+        return coverage_.at(textures::wrapIndex(i, coverage_.width, sides_.wrap),
+                            textures::wrapIndex(j, coverage_.height, sides_.wrap));
     }
 
     // Centres between the old way and the new one change sides.
@@ -228,26 +213,7 @@ class Sharpener {
         std::vector<glm::dvec2> loop{corner.place};
         for (int k = next; k >= last; --k)
             loop.push_back(points.place(k));
-        glm::dvec2 least = loop.front();
-        glm::dvec2 most = loop.front();
-        for (const glm::dvec2& place : loop) {
-            least = glm::min(least, place);
-            most = glm::max(most, place);
-        }
-        for (int j = static_cast<int>(std::floor(least.y)); j <= most.y; ++j)
-            for (int i = static_cast<int>(std::floor(least.x)); i <= most.x; ++i)
-                if (isInsideLoop(loop, glm::dvec2(i, j) + 0.5))
-                    flip(i, j);
-    }
-
-    void flip(int i, int j) {
-        if (wrap_ != WrapMode::Repeat &&
-            (i < 0 || j < 0 || i >= coverage_.width || j >= coverage_.height))
-            return;
-        std::uint8_t& texel =
-            inside_[coverage_.index(textures::wrapIndex(i, coverage_.width, wrap_),
-                                    textures::wrapIndex(j, coverage_.height, wrap_))];
-        texel = static_cast<std::uint8_t>(1 - texel);
+        sides_.flipWithin(loop);
     }
 
     void rebuild(const ChainPoints& points, OutlineChain& chain) const {
@@ -263,8 +229,7 @@ class Sharpener {
     }
 
     const Plane& coverage_;
-    WrapMode wrap_;
-    std::vector<std::uint8_t>& inside_;
+    TexelSides& sides_;
     // Of the points of the chain at hand.
     std::vector<bool> isRemoved_;
     std::vector<bool> isKept_;
@@ -273,9 +238,8 @@ class Sharpener {
 
 }  // namespace
 
-void sharpenCorners(const Plane& coverage, WrapMode wrap, std::vector<OutlineChain>& chains,
-                    std::vector<std::uint8_t>& inside) {
-    Sharpener sharpener(coverage, wrap, inside);
+void sharpenCorners(const Plane& coverage, std::vector<OutlineChain>& chains, TexelSides& sides) {
+    Sharpener sharpener(coverage, sides);
     for (OutlineChain& chain : chains)
         sharpener.sharpen(chain);
 }

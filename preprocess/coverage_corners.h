@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "preprocess/coverage_outline.h"
+#include "preprocess/texel_sides.h"
 #include "textures/plane.h"
-#include "textures/wrap_mode.h"
 
 namespace relievo::preprocess {
 
@@ -14,9 +13,8 @@ namespace relievo::preprocess {
 /// meet; if the two half planes explain the coverage of every texel around, each within 0.08.
 /// Nothing else may lie there then, so that no chain crosses another afterwards.
 ///
-/// `inside` has for each texel, row by row, whether its centre is inside the chains: 1 or 0; it is
-/// kept up to date.
-void sharpenCorners(const textures::Plane& coverage, textures::WrapMode wrap,
-                    std::vector<OutlineChain>& chains, std::vector<std::uint8_t>& inside);
+/// `sides` are those of the chains, under their wrap mode, and are kept up to date.
+void sharpenCorners(const textures::Plane& coverage, std::vector<OutlineChain>& chains,
+                    TexelSides& sides);
 
 }  // namespace relievo::preprocess

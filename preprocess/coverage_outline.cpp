@@ -52,7 +52,8 @@ class Tracer {
             traceFromBorders();
         for (int j = 0; j < rows_; ++j)
             for (int i = 0; i < columns_; ++i)
-                traceFrom({first_ + i, first_ + j});
+                if (!isEven({first_ + i, first_ + j}))
+                    traceFrom({first_ + i, first_ + j});
         return std::move(chains_);
     }
 
@@ -62,6 +63,21 @@ class Tracer {
                             textures::wrapIndex(j, coverage_.height, wrap_));
     }
     [[nodiscard]] bool isInside(int i, int j) const { return at(i, j) >= kHalf; }
+
+    // Whether the corners are all inside or all outside, as in most cells; at the border of the
+    // tile somebody else must see.
+    [[nodiscard]] bool isEven(Cell cell) const {
+        if (cell.i < 0 || cell.j < 0 || cell.i + 1 >= coverage_.width ||
+            cell.j + 1 >= coverage_.height)
+            return false;
+        const std::size_t width = static_cast<std::size_t>(coverage_.width);
+        const float* const row = coverage_.texels.data() +
+                                 static_cast<std::size_t>(cell.j) * width +
+                                 static_cast<std::size_t>(cell.i);
+        const int inside =
+            (row[0] >= 0.5f) + (row[1] >= 0.5f) + (row[width] >= 0.5f) + (row[width + 1] >= 0.5f);
+        return inside % 4 == 0;
+    }
 
     // Corners clockwise from the upper left one: a side lies between two that follow each other.
     [[nodiscard]] std::array<bool, 4> corners(Cell cell) const {
