@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -27,6 +28,18 @@ struct NearestPacket {
     LaneMask segment;  // its number; −1: none
 };
 
+// What the packet's places are told, in double precision: of each the segment that is nearest,
+// relative to it, and then the distance and the unit vector away from it.
+struct PacketAnswer {
+    std::array<double, kLanes> toX;
+    std::array<double, kLanes> toY;
+    std::array<double, kLanes> alongX;
+    std::array<double, kLanes> alongY;
+    std::array<double, kLanes> distance;
+    std::array<double, kLanes> awayX;
+    std::array<double, kLanes> awayY;
+};
+
 }  // namespace
 }  // namespace relievo::preprocess
 
@@ -48,30 +61,37 @@ NearestPacket packetAt(int i, int j) {
     return packet;
 }
 
-glm::dvec2 nearestPoint(const BoundarySegment& segment, const glm::dvec2& place) {
+// To the left of the way from start to end.
+glm::dvec2 normalOf(const BoundarySegment& segment) {
     const glm::dvec2 along = segment.end - segment.start;
-    const double square = glm::dot(along, along);
-    const double share =
-        square > 0.0 ? std::clamp(glm::dot(place - segment.start, along) / square, 0.0, 1.0) : 0.0;
-    return segment.start + share * along;
+    const double length = glm::length(along);
+    return length > 0.0 ? glm::dvec2(along.y, -along.x) / length : glm::dvec2(0.0, -1.0);
 }
 
 void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
            BoundaryDistances& distances) {
+    PacketAnswer answer;
     for (int k = 0; k < kLanes; ++k) {
-        const int column = i + k % kSide;
-        const int row = j + k / kSide;
-        if (column >= distances.distance.width || row >= distances.distance.height)
-            continue;
-        const glm::dvec2 place(column + 0.5, row + 0.5);
-        const auto number = static_cast<std::size_t>(packet.segment[k]);
-        const glm::dvec2 away = place - nearestPoint(tree.segments[number], place);
-        const double distance = glm::length(away);
-        distances.distance.at(column, row) = static_cast<float>(distance);
-        const glm::dvec2 unit = distance > 0.0 ? away / distance : glm::dvec2(0.0);
-        distances.awayX.at(column, row) = static_cast<float>(unit.x);
-        distances.awayY.at(column, row) = static_cast<float>(unit.y);
+        const auto lane = static_cast<std::size_t>(k);
+        const BoundarySegment& segment = tree.segments[static_cast<std::size_t>(packet.segment[k])];
+        answer.toX[lane] = i + k % kSide + 0.5 - segment.start.x;
+        answer.toY[lane] = j + k / kSide + 0.5 - segment.start.y;
+        answer.alongX[lane] = segment.end.x - segment.start.x;
+        answer.alongY[lane] = segment.end.y - segment.start.y;
     }
+    RELIEVO_CALL_KERNEL(measurePlaces, answer);
+    for (int row = j; row < std::min(j + kSide, distances.distance.height); ++row)
+        for (int column = i; column < std::min(i + kSide, distances.distance.width); ++column) {
+            const auto lane = static_cast<std::size_t>((row - j) * kSide + column - i);
+            const std::size_t texel = distances.distance.index(column, row);
+            distances.distance.texels[texel] = static_cast<float>(answer.distance[lane]);
+            glm::dvec2 away(answer.awayX[lane], answer.awayY[lane]);
+            if (answer.distance[lane] == 0.0)
+                away = normalOf(tree.segments[static_cast<std::size_t>(
+                    packet.segment[static_cast<int>(lane)])]);
+            distances.awayX.texels[texel] = static_cast<float>(away.x);
+            distances.awayY.texels[texel] = static_cast<float>(away.y);
+        }
 }
 
 void measureRow(const BoundaryTree& tree, int j, BoundaryDistances& distances) {

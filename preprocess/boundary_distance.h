@@ -11,7 +11,9 @@ namespace relievo::preprocess {
 /// How far a boundary is from every texel centre, and which way.
 struct BoundaryDistances {
     textures::Plane distance;  ///< texels, ≥ 0; +infinity everywhere without a boundary
-    /// The unit vector from the nearest point of the boundary; (0,0) on it and without a boundary.
+    /// The unit vector from the nearest point of the boundary; on it the normal of the segment, to
+    /// the left of the way from start to end as one looks at the picture, away from the inside of a
+    /// PlaneShape. (0,0) without a boundary.
     textures::Plane awayX;
     textures::Plane awayY;
 };

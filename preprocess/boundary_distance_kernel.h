@@ -52,3 +52,20 @@ inline void findNearestSegments(const BoundaryTree& tree, NearestPacket& packet)
         stack[size++] = number + 1;
     }
 }
+
+inline void measurePlaces(PacketAnswer& answer) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const double alongX = answer.alongX[k];
+        const double alongY = answer.alongY[k];
+        const double square = alongX * alongX + alongY * alongY;
+        const double dot = answer.toX[k] * alongX + answer.toY[k] * alongY;
+        const double share = dot <= 0.0 ? 0.0 : (dot >= square ? 1.0 : dot / square);
+        const double x = answer.toX[k] - share * alongX;
+        const double y = answer.toY[k] - share * alongY;
+        const double distance = std::sqrt(x * x + y * y);
+        const double inverse = distance > 0.0 ? 1.0 / distance : 0.0;
+        answer.distance[k] = distance;
+        answer.awayX[k] = x * inverse;
+        answer.awayY[k] = y * inverse;
+    }
+}

@@ -1,7 +1,12 @@
 #include "preprocess/plane_shape.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+
+#include "textures/input_error.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -13,19 +18,29 @@ using ClipperLib::Paths;
 using textures::WrapMode;
 
 constexpr double kUnits =
-    268435456.0;  // of a tile width: within what Clipper multiplies in 64 bits
+    268435456.0;                   // of a tile width: within what Clipper multiplies in 64 bits
+constexpr double kFarthest = 1e6;  // tile widths: within the 62 bits of its coordinates
 
 struct Tile {
     cInt width;
     cInt height;
 };
 
+void requirePlace(const glm::dvec2& point) {
+    if (!(std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest))
+        throw textures::InputError(
+            fmt::format("the outline has a point at ({}, {}) tile widths, expected none beyond {}",
+                        point.x, point.y, kFarthest));
+}
+
 Paths pathsOf(const outlines::Outline& outline) {
     Paths paths;
     for (const outlines::Contour& contour : outline.contours) {
         Path& path = paths.emplace_back();
-        for (const glm::dvec2& point : contour)
+        for (const glm::dvec2& point : contour) {
+            requirePlace(point);
             path.emplace_back(std::llround(point.x * kUnits), std::llround(point.y * kUnits));
+        }
     }
     return paths;
 }
@@ -43,27 +58,22 @@ Paths clippedTo(const Path& window, const Paths& paths, ClipperLib::PolyFillType
     return result;
 }
 
-// A path of the tile as copy (i,j) has it, i and j from −1 to 1.
-Path copied(const Path& path, const Tile& tile, int i, int j, WrapMode wrap) {
-    Path result;
-    const bool isMirrored = wrap == WrapMode::Mirror;
-    for (const IntPoint& point : path) {
-        const cInt x = isMirrored && i != 0 ? tile.width - point.X : point.X;
-        const cInt y = isMirrored && j != 0 ? tile.height - point.Y : point.Y;
-        result.emplace_back(x + i * tile.width, y + j * tile.height);
+Path moved(Path path, cInt x, cInt y) {
+    for (IntPoint& point : path) {
+        point.X += x;
+        point.Y += y;
     }
-    // Every path goes around its inside in the same direction, mirrored or not.
-    if (isMirrored && (i != 0) != (j != 0))
-        ClipperLib::ReversePath(result);
-    return result;
+    return path;
 }
 
-Paths withCopies(const Paths& paths, const Tile& tile, WrapMode wrap) {
+// The union of the paths, and of their copies in the tiles up to `copies` away.
+Paths united(const Paths& paths, const Tile& tile, int copies) {
     ClipperLib::Clipper clipper;
-    for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
+    for (int j = -copies; j <= copies; ++j)
+        for (int i = -copies; i <= copies; ++i)
             for (const Path& path : paths)
-                clipper.AddPath(copied(path, tile, i, j, wrap), ClipperLib::ptSubject, true);
+                clipper.AddPath(moved(path, i * tile.width, j * tile.height), ClipperLib::ptSubject,
+                                true);
     Paths result;
     clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
     return result;
@@ -77,29 +87,48 @@ bool isOnSide(const IntPoint& a, const IntPoint& b, const Tile& tile, int copies
     return (a.X == b.X && isSide(a.X, tile.width)) || (a.Y == b.Y && isSide(a.Y, tile.height));
 }
 
+// Whether some of a segment is within half a tile of the tile: only there can it be the nearest.
+bool isNearTile(const BoundarySegment& segment, const glm::dvec2& size) {
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto [least, most] = std::minmax(segment.start[axis], segment.end[axis]);
+        if (most < -0.5 * size[axis] || least > 1.5 * size[axis])
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
-PlaneShape shapeOf(const outlines::Outline& outline, int width, int height, WrapMode wrap) {
+PlaneShape shapeOf(const outlines::Drawing& drawing, int width, int height, WrapMode wrap) {
     const double texel = kUnits / width;
     const Tile tile{static_cast<cInt>(kUnits), std::llround(texel * height)};
-    const auto rule = outline.rule == outlines::FillRule::NonZero ? ClipperLib::pftNonZero
-                                                                  : ClipperLib::pftEvenOdd;
-    Paths paths = clippedTo(rectangle(0, 0, tile.width, tile.height), pathsOf(outline), rule);
-    const int copies = wrap == WrapMode::Clamp ? 0 : 1;
-    if (copies > 0)
-        paths = withCopies(paths, tile, wrap);
+    const Path window = rectangle(0, 0, tile.width, tile.height);
+    Paths paths;
+    for (const outlines::Outline& outline : drawing.shapes) {
+        const auto rule = outline.rule == outlines::FillRule::NonZero ? ClipperLib::pftNonZero
+                                                                      : ClipperLib::pftEvenOdd;
+        std::ranges::move(clippedTo(window, pathsOf(outline), rule), std::back_inserter(paths));
+    }
+    // Under mirror the nearest place is never one behind a border: it has an image before it.
+    const int copies = wrap == WrapMode::Repeat ? 1 : 0;
     PlaneShape shape;
-    for (const Path& path : paths)
+    for (const Path& path : united(paths, tile, copies))
         for (std::size_t k = 0; k < path.size(); ++k) {
             const IntPoint& a = path[k];
             const IntPoint& b = path[(k + 1) % path.size()];
             const glm::dvec2 start(static_cast<double>(a.X), static_cast<double>(a.Y));
             const glm::dvec2 end(static_cast<double>(b.X), static_cast<double>(b.Y));
             shape.edges.push_back({start / texel, end / texel});
-            if (!isOnSide(a, b, tile, copies))
+            if (!isOnSide(a, b, tile, copies) &&
+                isNearTile(shape.edges.back(), glm::dvec2(width, height)))
                 shape.boundary.push_back(shape.edges.back());
         }
     return shape;
+}
+
+PlaneShape shapeOf(const outlines::Outline& outline, int width, int height, WrapMode wrap) {
+    return shapeOf(outlines::Drawing{{outline}, static_cast<double>(height) / width}, width, height,
+                   wrap);
 }
 
 }  // namespace relievo::preprocess

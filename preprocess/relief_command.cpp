@@ -1,11 +1,9 @@
 #include "preprocess/relief_command.h"
 
 #include <fmt/core.h>
-#include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -16,6 +14,7 @@
 
 #include "commands/program.h"
 #include "commands/progress.h"
+#include "preprocess/command_options.h"
 #include "preprocess/cone_kinds.h"
 #include "preprocess/map_kinds.h"
 #include "preprocess/memory_need.h"
@@ -35,9 +34,7 @@ namespace {
 using commands::UsageError;
 using textures::MapSet;
 using textures::Plane;
-using textures::StorageFormat;
 
-constexpr int kMostThreads = 1024;
 constexpr double kLeastScale = 1e-6;
 constexpr double kLargestScale = 1e6;
 
@@ -56,21 +53,6 @@ std::vector<std::string> splitMaps(const std::string& list) {
     return maps;
 }
 
-StorageFormat formatFor(const ReliefArguments& arguments) {
-    const std::filesystem::path file = arguments.output;
-    const bool isExr = textures::lowerExtension(file) == ".exr";
-    // Half would keep 11 bits of the depths of a 16-bit height image.
-    const StorageFormat format = arguments.format.empty()
-                                     ? (isExr ? StorageFormat::Float : StorageFormat::U16)
-                                     : *textures::storageFormatFromName(arguments.format);
-    try {
-        textures::requireExtensionFor(file, format);
-    } catch (const textures::InputError& error) {
-        throw UsageError(error.what());
-    }
-    return format;
-}
-
 Job jobOf(const ReliefArguments& arguments) {
     Job job;
     job.plan.maps = splitMaps(arguments.maps);
@@ -78,7 +60,7 @@ Job jobOf(const ReliefArguments& arguments) {
     job.plan.method = arguments.method;
     job.plan.sectors = arguments.sectors;
     job.plan.encoding = textures::coneEncodingFromName(arguments.encoding);
-    job.plan.format = formatFor(arguments);
+    job.plan.format = outputFormat(arguments.output, arguments.format);
     job.plan.cone = arguments.cone.empty() ? usualCone(job.plan) : arguments.cone;
     job.plan.mips = arguments.mips;
     job.plan.normalScale = arguments.normalScale;
@@ -102,21 +84,6 @@ Job jobOf(const ReliefArguments& arguments) {
         throw UsageError(fmt::format("-o {}: is the height image itself", arguments.output));
     return job;
 }
-
-// Times a stage and says what it did when it is over.
-class Stage {
-  public:
-    explicit Stage(std::string name)
-        : name_(std::move(name)), start_(std::chrono::steady_clock::now()) {}
-    void done(const std::string& counts) const {
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
-        commands::say(fmt::format("{:<10} {:<62} {:7.2f} s", name_, counts, time.count()));
-    }
-
-  private:
-    std::string name_;
-    std::chrono::steady_clock::time_point start_;
-};
 
 // Bakes with a progress bar and a line for each map.
 std::vector<MapSet> bake(textures::DepthMap relief, const ReliefPlan& plan) {
@@ -356,12 +323,7 @@ void runReliefCommand(const ReliefArguments& arguments) {
     const Job job = jobOf(arguments);
     // Finds out that the folder cannot be written before the work, not after it.
     textures::AtomicFile{arguments.output};
-    const tbb::global_control threads(
-        tbb::global_control::max_allowed_parallelism,
-        arguments.threads > 0
-            ? static_cast<std::size_t>(arguments.threads)
-            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-
+    const auto threads = limitThreads(arguments.threads);
     requireRoom(job, arguments);
     textures::HeightImage image = readInput(job, arguments);
     if (!arguments.force && isUpToDate(job, arguments, image.source)) {

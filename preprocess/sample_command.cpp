@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 
 #include "commands/program.h"
+#include "preprocess/command_options.h"
 #include "textures/file_extension.h"
 #include "textures/input_error.h"
 #include "textures/picture_file.h"
@@ -19,25 +19,6 @@ namespace {
 using commands::UsageError;
 
 constexpr int kLargestSize = 32768;  // the largest image that is read
-
-struct Size {
-    int width = 0;
-    int height = 0;
-};
-
-Size parseSize(const std::string& text) {
-    const char* const end = text.data() + text.size();
-    Size size;
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        const auto fits = [](int value) { return value >= 1 && value <= kLargestSize; };
-        if (height.ec == std::errc() && height.ptr == end && fits(size.width) && fits(size.height))
-            return size;
-    }
-    throw UsageError(
-        fmt::format("--size {}: expected WxH with both from 1 to {}", text, kLargestSize));
-}
 
 // `packed` for pictures, Float for .exr.
 textures::StorageFormat formatFor(const std::string& file, textures::StorageFormat packed) {
@@ -56,7 +37,7 @@ void listSamples() {
         commands::answer(fmt::format("{:<12} {}", sample.name, sample.description));
 }
 
-void writeAlbedo(const SampleArguments& arguments, const Size& size,
+void writeAlbedo(const SampleArguments& arguments, const MapSize& size,
                  textures::StorageFormat format) {
     textures::writePicture(
         arguments.albedo,
@@ -101,7 +82,7 @@ void runSampleCommand(const SampleArguments& arguments) {
     if (arguments.name.empty() || arguments.output.empty())
         throw UsageError("sample: expected NAME and -o FILE, or --list");
     requireSample(arguments.name);
-    const Size size = parseSize(arguments.size);
+    const MapSize size = parseSize(arguments.size, kLargestSize);
     const auto heightFormat = formatFor(arguments.output, textures::StorageFormat::U16);
     if (!arguments.albedo.empty())
         writeAlbedo(arguments, size, formatFor(arguments.albedo, textures::StorageFormat::U8));

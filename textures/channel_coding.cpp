@@ -28,6 +28,35 @@ ChannelRange signedRange(std::span<const Plane* const> levels, StorageFormat for
     return {-zero * step, (zero - 1.0) * step};
 }
 
+/// The greatest step of 20 significant bits of which `codes` are not above `value` ≥ 0 as a float.
+/// Found again from its own product: values that were stored keep their codes.
+double stepWithin(float value, double codes) {
+    int exponent = 0;
+    std::frexp(value / codes, &exponent);
+    const double quantum = std::ldexp(1.0, exponent - 20);
+    double steps = std::floor(value / codes / quantum) + 1.0;
+    while (static_cast<float>(codes * steps * quantum) > value)
+        steps -= 1.0;
+    return steps * quantum;
+}
+
+/// As signedRange, but what is rounded towards 0 must not need a code beyond the last: the greatest
+/// value gets that one. With all codes for what there is when nothing is below 0.
+ChannelRange distanceRange(std::span<const Plane* const> levels, StorageFormat format) {
+    float least = 0.0f;
+    float greatest = 0.0f;
+    for (const Plane* level : levels)
+        for (const float value : level->texels) {
+            least = std::min(least, value);
+            greatest = std::max(greatest, value);
+        }
+    if (least == 0.0f)
+        return {0.0, greatest > 0.0f ? greatest : 1.0};
+    const double zero = format == StorageFormat::U16 ? 32768.0 : 128.0;
+    const double step = std::max(stepWithin(greatest, zero - 1.0), stepWithin(-least, zero));
+    return {-zero * step, (zero - 1.0) * step};
+}
+
 /// Unlimited cones count for neither end.
 ChannelRange coneRange(std::span<const Plane* const> levels) {
     constexpr float kWidest = 1.0f;
@@ -75,14 +104,52 @@ double codeBelow(float value, const ChannelCoding& coding, double maximum) {
     return code;
 }
 
+double codeAbove(float value, const ChannelCoding& coding, double maximum) {
+    const auto stored = [&](double code) {
+        return static_cast<float>(codeValue(code, coding, maximum));
+    };
+    double code = std::clamp(std::ceil(scaledToCodes(value, coding, maximum)), 0.0, maximum);
+    while (code > 0.0 && stored(code - 1.0) >= value)
+        code -= 1.0;
+    while (code < maximum && stored(code) < value)
+        code += 1.0;
+    return code;
+}
+
+double codeTowardsZero(float value, const ChannelCoding& coding, double maximum) {
+    return value < 0.0f ? codeAbove(value, coding, maximum) : codeBelow(value, coding, maximum);
+}
+
+auto codeFunction(Rounding rounding) {
+    switch (rounding) {
+        case Rounding::Down:
+            return codeBelow;
+        case Rounding::TowardsZero:
+            return codeTowardsZero;
+        case Rounding::Nearest:
+            break;
+    }
+    return nearestCode;
+}
+
+double rounded(double value, Rounding rounding) {
+    switch (rounding) {
+        case Rounding::Down:
+            return std::floor(value);
+        case Rounding::TowardsZero:
+            return std::trunc(value);
+        case Rounding::Nearest:
+            break;
+    }
+    return std::nearbyint(value);
+}
+
 /// Rounded to the 11 significant bits of a half (fewer below 2^-14).
 float roundToHalf(float value, Rounding rounding) {
     int exponent = 0;
     std::frexp(value, &exponent);
     const double quantum = std::ldexp(1.0, std::max(exponent, -13) - 11);
-    const double steps = value / quantum;
-    const double whole = rounding == Rounding::Down ? std::floor(steps) : std::nearbyint(steps);
-    return static_cast<float>(whole * quantum);
+    return static_cast<float>(rounded(value / quantum, rounding) * quantum);
 }
 
 /// Ratios end at the largest half in both float formats, so that infinite ones stay the widest.
@@ -108,7 +175,10 @@ ChannelCoding channelCoding(std::span<const Plane* const> levels, std::string_vi
     ChannelCoding coding{format, channelRule(channel), {}, false};
     if (!isPackedFormat(format) || coding.rule.isUnitRange)
         return coding;
-    coding.range = coding.rule.isSigned ? signedRange(levels, format) : coneRange(levels);
+    if (coding.rule.rounding == Rounding::TowardsZero)
+        coding.range = distanceRange(levels, format);
+    else
+        coding.range = coding.rule.isSigned ? signedRange(levels, format) : coneRange(levels);
     coding.isRoot = isStoredAsRoot(coding.rule, format, encoding);
     if (coding.isRoot)
         coding.range = {std::sqrt(coding.range.low), std::sqrt(coding.range.high)};
@@ -124,7 +194,7 @@ void toSamples(const ChannelCoding& coding, std::span<const float> values,
         return;
     }
     const double maximum = maximumCode(coding.format);
-    const auto toCode = coding.rule.rounding == Rounding::Down ? codeBelow : nearestCode;
+    const auto toCode = codeFunction(coding.rule.rounding);
     std::transform(values.begin(), values.end(), samples.begin(),
                    [&](float value) { return static_cast<float>(toCode(value, coding, maximum)); });
 }

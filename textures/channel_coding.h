@@ -38,14 +38,15 @@ bool isStoredAsRoot(const ChannelRule& rule, StorageFormat format, ConeEncoding 
 /// 1], as in the thesis, where 8-bit ratios clamp at π/4; so code 0 is not 0, where a search would
 /// stall, unless a value is. (When all are over 1 the range goes up to the greatest.) For channels
 /// of both signs one in which 0 has a code of its own and every code stands for an exact float, so
-/// that storing what was read changes nothing.
+/// that storing what was read changes nothing; for distances that are nowhere below 0
+/// [0, greatest].
 ChannelCoding channelCoding(std::span<const Plane* const> levels, std::string_view channel,
                             StorageFormat format, ConeEncoding encoding = ConeEncoding::Ratio);
 
 /// The samples, whole codes or floats, of `values`: the nearest ones, or for channels that are
 /// rounded down those whose values are never above the true ones (unless they are under the
-/// range's). Infinite widths of cones become kLargestHalf or the highest code. The spans are of one
-/// size and may be the same.
+/// range's), or towards zero those never farther from 0. Infinite widths of cones become
+/// kLargestHalf or the highest code. The spans are of one size and may be the same.
 void toSamples(const ChannelCoding& coding, std::span<const float> values,
                std::span<float> samples);
 

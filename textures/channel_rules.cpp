@@ -18,6 +18,8 @@ constexpr ChannelRule kCone{Rounding::Down, false, false, true};
 constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
 // Distances, and −1 where there is none.
 constexpr ChannelRule kSafeOrNone{Rounding::Down, true, false};
+// Distances to an outline: outside > 0, inside < 0.
+constexpr ChannelRule kDistance{Rounding::TowardsZero, true, false};
 
 /// Cones may have a layer per sector: `cone0`, `roof0`, `ratio0` … follow the rule of the name.
 constexpr std::array kRules{
@@ -26,6 +28,8 @@ constexpr std::array kRules{
     NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},    NamedRule{"roof", kSafeUnit},
     NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe}, NamedRule{"occlusion", kUnit},
     NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},     NamedRule{"vdm", kSafeOrNone},
+    NamedRule{"gx", kSigned},   NamedRule{"gy", kSigned},     NamedRule{"distance", kDistance},
+    NamedRule{"shape", kUnit},
 };
 
 }  // namespace

@@ -5,8 +5,9 @@
 namespace relievo::textures {
 
 /// Which way a stored value may leave the true one: a cone that is too wide lets a ray pass the
-/// surface, one that is too narrow only costs steps.
-enum class Rounding { Nearest, Down };
+/// surface, one that is too narrow only costs steps. Likewise distances of either sign, which are
+/// safe as long as they are not farther from 0 than true.
+enum class Rounding { Nearest, Down, TowardsZero };
 
 /// How the values of a channel are stored.
 struct ChannelRule {

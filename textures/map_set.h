@@ -14,8 +14,8 @@ namespace relievo::textures {
 
 /// A named channel, with one of the names of the specification: `depth`, `dx`, `dy`, `nx`, `ny`,
 /// `nz`, `cone`, `cylinder`, `volume0` …, `horizon0` …, `occlusion`, `dmin`, `dmax`, `ellipsex` …,
-/// `vdm0` …, `vdmfactor0` …;
-/// room is left for `roof`, `ratio`, `roof0` … and those of shape maps.
+/// `vdm0` …, `vdmfactor0` …, `roof`, `ratio`, `roof0` …, and those of shape maps: `gx`, `gy`,
+/// `distance`, `shape`.
 struct Channel {
     std::string name;
     Plane plane;

@@ -69,7 +69,7 @@ MapSet mapSetOf(const ShapeMap& shape) {
     MapSet maps;
     maps.kind = "shape";
     maps.wrap = shape.wrap;
-    maps.attributes[kSigned] = std::string(1, shape.isSigned ? '1' : '0');
+    maps.attributes[kSigned] = fmt::format("{:d}", shape.isSigned);
     maps.attributes[kSlack] = fmt::format("{}", shape.slack);
     maps.channels = {{"gx", shape.gradientX},
                      {"gy", shape.gradientY},

@@ -45,11 +45,11 @@ constexpr bool isPackedFormat(StorageFormat format) noexcept {
 inline constexpr float kLargestHalf = 65504.0f;
 
 /// The values that a reader of the file gets back for a channel called `channel`: rounded to what
-/// `format` holds, widths of cones and roofs down and other channels to the nearest. A second pass
-/// changes nothing. Infinite ratios become kLargestHalf, or the top of the packed range. Builders
-/// apply it to the depths before they build cones, so that the cones are safe for the depths that
-/// are really stored. Values above kLargestHalf in other channels do not fit Half: writeMapFile
-/// refuses them.
+/// `format` holds, widths of cones and roofs down, distances towards 0 and other channels to the
+/// nearest. A second pass changes nothing. Infinite ratios become kLargestHalf, or the top of the
+/// packed range. Builders apply it to the depths before they build cones, so that the cones are
+/// safe for the depths that are really stored. Values above kLargestHalf in other channels do not
+/// fit Half: writeMapFile refuses them.
 Plane storedValues(const Plane& values, std::string_view channel, StorageFormat format,
                    ConeEncoding encoding = ConeEncoding::Ratio);
 

@@ -61,6 +61,46 @@ TEST(StorageFormat, ConesAreNeverAboveTheTruth) {
     EXPECT_GT(countAbove(storedValues(finite, "depth", StorageFormat::U8), finite), 1000);
 }
 
+int countFarther(const Plane& stored, const Plane& truth) {
+    int count = 0;
+    for (std::size_t t = 0; t < truth.texels.size(); ++t)
+        count += std::abs(stored.texels[t]) > std::abs(truth.texels[t]) ||
+                         stored.texels[t] * truth.texels[t] < 0.0f
+                     ? 1
+                     : 0;
+    return count;
+}
+
+TEST(StorageFormat, DistancesAreNeverFartherFromZero) {
+    Plane distances = randomPlane(64, 64, -0.31f, 0.47f, 31);
+    distances.texels[7] = 0.0f;
+    distances.texels[8] = -1e-9f;
+    const Plane outside = randomPlane(64, 64, 0.0f, 0.47f, 32);
+    for (const StorageFormat format : kFormats) {
+        const Plane stored = storedValues(distances, "distance", format);
+        EXPECT_EQ(countFarther(stored, distances), 0) << storageFormatName(format);
+        EXPECT_EQ(stored.texels[7], 0.0f);
+        EXPECT_EQ(countFarther(storedValues(outside, "distance", format), outside), 0);
+    }
+    // Rounding to the nearest or down must fail this very check.
+    EXPECT_GT(countFarther(storedValues(distances, "dx", StorageFormat::U8), distances), 1000);
+    EXPECT_GT(countFarther(storedValues(distances, "vdm", StorageFormat::Half), distances), 1000);
+}
+
+TEST(StorageFormat, DistancesLoseLessThanOneCode) {
+    const Plane distances = randomPlane(40, 40, -0.31f, 0.47f, 33);
+    const Plane outside = randomPlane(40, 40, 0.0f, 0.47f, 34);
+    for (const StorageFormat format : {StorageFormat::U16, StorageFormat::U8}) {
+        const Plane stored = storedValues(distances, "distance", format);
+        const Plane unsignedOnes = storedValues(outside, "distance", format);
+        for (std::size_t t = 0; t < distances.texels.size(); ++t) {
+            EXPECT_LT(std::abs(distances.texels[t] - stored.texels[t]),
+                      1.01 * 2.0 * 0.47 / (maximumCode(format) - 1.0));
+            EXPECT_LT(outside.texels[t] - unsignedOnes.texels[t], 0.4701 / maximumCode(format));
+        }
+    }
+}
+
 TEST(StorageFormat, ConesLoseLessThanOneCode) {
     const Plane ratios = randomPlane(40, 40, 0.0f, 0.8f, 23);
     for (const StorageFormat format : {StorageFormat::U16, StorageFormat::U8}) {
@@ -113,7 +153,9 @@ TEST(StorageFormat, ASecondPassChangesNothing) {
                                        {"cone", randomRatios()},
                                        {"dx", randomPlane(31, 31, -3.7f, 2.9f, 2)},
                                        {"dy", randomPlane(31, 31, 0.0f, 711.0f, 3)},
-                                       {"nz", randomPlane(31, 31, 0.1f, 1.0f, 4)}})
+                                       {"nz", randomPlane(31, 31, 0.1f, 1.0f, 4)},
+                                       {"distance", randomPlane(31, 31, -0.3f, 2.0f, 5)},
+                                       {"distance", randomPlane(31, 31, 0.0f, 2.0f, 6)}})
         for (const StorageFormat format : kFormats)
             for (const ConeEncoding encoding : kEncodings) {
                 const Plane once = storedValues(values, name, format, encoding);
@@ -124,7 +166,7 @@ TEST(StorageFormat, ASecondPassChangesNothing) {
 
 TEST(StorageFormat, ZeroOfSignedChannelsIsExact) {
     for (const StorageFormat format : {StorageFormat::U16, StorageFormat::U8})
-        for (const char* name : {"dx", "dy", "nx", "ny", "nz"})
+        for (const char* name : {"dx", "dy", "nx", "ny", "nz", "gx", "gy"})
             for (std::uint32_t seed = 1; seed < 20; ++seed) {
                 Plane values =
                     randomPlane(16, 16, -std::exp2(static_cast<float>(seed) - 9.0f), 1.3f, seed);

@@ -1,0 +1,112 @@
+#include "preprocess/coverage_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "preprocess/coverage_corners.h"
+#include "preprocess/coverage_outline.h"
+#include "preprocess/texel_sides.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::Plane;
+using textures::WrapMode;
+
+constexpr double kTolerance = 0.01;  // texels that points may lie beside a segment
+constexpr int kMostPoints = 64;      // that one segment stands for
+
+double distanceFromLine(const glm::dvec2& start, const glm::dvec2& end, const glm::dvec2& place) {
+    const glm::dvec2 along = end - start;
+    const glm::dvec2 to = place - start;
+    const double length = glm::length(along);
+    return length > 0.0 ? std::abs(along.x * to.y - along.y * to.x) / length : glm::length(to);
+}
+
+bool isNearCentre(const glm::dvec2& place) {
+    const glm::dvec2 offset = glm::abs(glm::fract(place) - 0.5);
+    return std::max(offset.x, offset.y) < 3.0 * kTolerance;
+}
+
+// A chain by as few segments as keep its points within the tolerance.
+class Simplifier {
+  public:
+    Simplifier(const OutlineChain& chain, TexelSides& sides) : sides_(sides) {
+        for (const OutlinePoint& point : chain.points)
+            places_.push_back(point.place);
+        if (chain.isClosed)
+            places_.push_back(chain.points.front().place + chain.period);
+    }
+
+    [[nodiscard]] std::vector<BoundarySegment> simplify() {
+        std::vector<BoundarySegment> segments;
+        for (std::size_t start = 0; start + 1 < places_.size();) {
+            std::size_t end = start + 1;
+            while (end + 1 < places_.size() && end - start < kMostPoints &&
+                   isStraight(start, end + 1))
+                ++end;
+            keepSides(start, end);
+            if (places_[start] != places_[end])
+                segments.push_back({places_[start], places_[end]});
+            start = end;
+        }
+        return segments;
+    }
+
+  private:
+    [[nodiscard]] bool isStraight(std::size_t start, std::size_t end) const {
+        for (std::size_t k = start + 1; k < end; ++k)
+            if (distanceFromLine(places_[start], places_[end], places_[k]) > kTolerance)
+                return false;
+        return true;
+    }
+
+    // A centre may lie between the segment and the points that it stands for.
+    void keepSides(std::size_t start, std::size_t end) {
+        const auto first = places_.begin() + static_cast<std::ptrdiff_t>(start);
+        const auto last = places_.begin() + static_cast<std::ptrdiff_t>(end);
+        if (end > start + 1 && std::any_of(first + 1, last, isNearCentre))
+            sides_.flipWithin(std::span(first, last + 1));
+    }
+
+    std::vector<glm::dvec2> places_;
+    TexelSides& sides_;
+};
+
+// Adds the copies of a segment that are within half a tile of the tile.
+void addCopies(const BoundarySegment& segment, const glm::dvec2& size,
+               std::vector<BoundarySegment>& segments) {
+    const glm::dvec2 least = glm::min(segment.start, segment.end);
+    const glm::dvec2 most = glm::max(segment.start, segment.end);
+    // Tiles k with most + k·size ≥ −size/2 and least + k·size ≤ 3·size/2.
+    const glm::ivec2 first(glm::ceil(-0.5 - most / size));
+    const glm::ivec2 last(glm::floor(1.5 - least / size));
+    for (int j = first.y; j <= last.y; ++j)
+        for (int i = first.x; i <= last.x; ++i) {
+            const glm::dvec2 shift = glm::dvec2(i, j) * size;
+            segments.push_back({segment.start + shift, segment.end + shift});
+        }
+}
+
+}  // namespace
+
+CoverageBoundary coverageBoundary(const Plane& coverage, WrapMode wrap) {
+    TexelSides sides(coverage, wrap);
+    std::vector<OutlineChain> chains = traceCoverage(coverage, wrap);
+    sharpenCorners(coverage, chains, sides);
+    CoverageBoundary boundary;
+    const glm::dvec2 size(coverage.width, coverage.height);
+    for (const OutlineChain& chain : chains)
+        for (const BoundarySegment& segment : Simplifier(chain, sides).simplify())
+            if (wrap == WrapMode::Repeat)
+                addCopies(segment, size, boundary.segments);
+            else
+                boundary.segments.push_back(segment);
+    boundary.inside = std::move(sides.inside);
+    return boundary;
+}
+
+}  // namespace relievo::preprocess

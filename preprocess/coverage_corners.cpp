@@ -1,0 +1,247 @@
+#include "preprocess/coverage_corners.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::Plane;
+
+constexpr int kMostBetween = 12;      // points that give way
+constexpr double kFarthest = 6.0;     // texels from the last sure point to the corner
+constexpr double kLeastLength = 0.7;  // texels between the points that give a direction
+constexpr double kLeastTurn = 0.766;  // cosine of the smallest turn, 40°
+constexpr double kMostTurn = -0.98;   // beyond it two pieces are as good as parallel
+constexpr double kBehind = 0.05;      // texels that a corner may lie behind a sure point
+constexpr double kTolerance = 0.08;   // of coverage
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+// A straight piece of outline: the inside is to the right of its direction.
+struct Line {
+    glm::dvec2 place;
+    glm::dvec2 along;  // of unit length
+
+    // How far outside a place is.
+    [[nodiscard]] double outside(const glm::dvec2& point) const {
+        return cross(point - place, along);
+    }
+};
+
+// A convex polygon of few corners.
+struct Polygon {
+    std::array<glm::dvec2, 8> corners;
+    std::size_t count = 0;
+
+    void add(const glm::dvec2& corner) { corners[count++] = corner; }
+    [[nodiscard]] double area() const {
+        double doubled = 0.0;
+        for (std::size_t k = 0; k < count; ++k)
+            doubled += cross(corners[k], corners[(k + 1) % count]);
+        return 0.5 * doubled;
+    }
+};
+
+// The part of a polygon inside a line (sign 1) or outside (−1).
+Polygon cut(const Polygon& polygon, const Line& line, double sign) {
+    Polygon result;
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+        const glm::dvec2& a = polygon.corners[k];
+        const glm::dvec2& b = polygon.corners[(k + 1) % polygon.count];
+        const double atA = sign * line.outside(a);
+        const double atB = sign * line.outside(b);
+        if (atA <= 0.0)
+            result.add(a);
+        if ((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))
+            result.add(a + atA / (atA - atB) * (b - a));
+    }
+    return result;
+}
+
+// Two lines that meet, and what they enclose.
+struct Corner {
+    Line before;
+    Line after;
+    glm::dvec2 place;
+
+    [[nodiscard]] double coverage(const glm::dvec2& texel) const {
+        Polygon square;
+        for (const glm::dvec2& corner : {glm::dvec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
+            square.add(texel + corner);
+        const bool isConvex = cross(before.along, after.along) > 0.0;
+        const double sign = isConvex ? 1.0 : -1.0;
+        const double area = cut(cut(square, before, sign), after, sign).area();
+        return isConvex ? area : 1.0 - area;
+    }
+};
+
+std::optional<Corner> meet(const Line& before, const Line& after) {
+    const double turn = glm::dot(before.along, after.along);
+    if (turn > kLeastTurn || turn < kMostTurn)
+        return std::nullopt;
+    const double further =
+        cross(after.place - before.place, after.along) / cross(before.along, after.along);
+    const glm::dvec2 place = before.place + further * before.along;
+    const double back = glm::dot(after.place - place, after.along);
+    if (std::min(further, back) < -kBehind || std::max(further, back) > kFarthest)
+        return std::nullopt;
+    return Corner{before, after, place};
+}
+
+// The points of a chain by numbers that go on around it.
+class ChainPoints {
+  public:
+    explicit ChainPoints(const OutlineChain& chain)
+        : chain_(chain), count_(static_cast<int>(chain.points.size())) {}
+
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int number(int k) const { return ((k % count_) + count_) % count_; }
+    [[nodiscard]] bool exists(int k) const { return chain_.isClosed || (k >= 0 && k < count_); }
+    [[nodiscard]] bool isSure(int k) const {
+        return exists(k) && chain_.points[static_cast<std::size_t>(number(k))].isSure;
+    }
+    [[nodiscard]] glm::dvec2 place(int k) const {
+        const int around = (k - number(k)) / count_;
+        return chain_.points[static_cast<std::size_t>(number(k))].place +
+               static_cast<double>(around) * chain_.period;
+    }
+    // The line through sure point k and the one before it (step −1) or after it (1).
+    [[nodiscard]] std::optional<Line> line(int k, int step) const {
+        if (!isSure(k))
+            return std::nullopt;
+        for (int other = k + step; std::abs(other - k) <= 3 && isSure(other); other += step) {
+            const glm::dvec2 along = static_cast<double>(step) * (place(other) - place(k));
+            const double length = glm::length(along);
+            if (length >= kLeastLength)
+                return Line{place(k), along / length};
+        }
+        return std::nullopt;
+    }
+
+  private:
+    const OutlineChain& chain_;
+    int count_;
+};
+
+class Sharpener {
+  public:
+    Sharpener(const Plane& coverage, TexelSides& sides) : coverage_(coverage), sides_(sides) {}
+
+    void sharpen(OutlineChain& chain) {
+        const ChainPoints points(chain);
+        if (points.count() < 4)
+            return;
+        const auto count = static_cast<std::size_t>(points.count());
+        isRemoved_.assign(count, false);
+        isKept_.assign(count, false);
+        corners_.assign(count, std::nullopt);
+        const int longest = std::min(kMostBetween, points.count() - 3);
+        for (int between = 0; between <= longest; ++between)
+            for (int k = 0; k < points.count(); ++k)
+                tryCorner(points, k, k + between + 1);
+        rebuild(points, chain);
+    }
+
+  private:
+    // Between points `last` and `next`.
+    void tryCorner(const ChainPoints& points, int last, int next) {
+        if (!points.exists(next) || !isFree(points, last, next))
+            return;
+        const std::optional<Line> before = points.line(last, -1);
+        const std::optional<Line> after = before ? points.line(next, 1) : std::nullopt;
+        if (!after)
+            return;
+        const std::optional<Corner> corner = meet(*before, *after);
+        if (!corner || !explains(*corner, points, last, next))
+            return;
+        flipBetween(*corner, points, last, next);
+        corners_[index(points, last)] = corner->place;  // last is no number of another round
+        for (int k = last + 1; k < next; ++k)
+            isRemoved_[index(points, k)] = true;
+        for (const int k : {last - 1, last, next, next + 1})
+            if (points.exists(k))
+                isKept_[index(points, k)] = true;
+    }
+
+    static std::size_t index(const ChainPoints& points, int k) {
+        return static_cast<std::size_t>(points.number(k));
+    }
+
+    [[nodiscard]] bool isFree(const ChainPoints& points, int last, int next) const {
+        if (corners_[index(points, last)])
+            return false;
+        for (int k = last - 1; k <= next + 1; ++k)
+            if (points.exists(k) && (isRemoved_[index(points, k)] ||
+                                     (k > last && k < next && isKept_[index(points, k)])))
+                return false;
+        return true;
+    }
+
+    // Whether all coverage around a corner is that of its two lines.
+    [[nodiscard]] bool explains(const Corner& corner, const ChainPoints& points, int last,
+                                int next) const {
+        glm::dvec2 least = corner.place;
+        glm::dvec2 most = corner.place;
+        for (int k = last - 1; k <= next + 1; ++k)
+            if (points.exists(k)) {
+                least = glm::min(least, points.place(k));
+                most = glm::max(most, points.place(k));
+            }
+        const glm::ivec2 first(glm::floor(least - 0.5));
+        const glm::ivec2 end(glm::floor(most + 0.5));
+        for (int j = first.y; j <= end.y; ++j)
+            for (int i = first.x; i <= end.x; ++i)
+                if (std::abs(corner.coverage({i, j}) - at(i, j)) > kTolerance)
+                    return false;
+        return true;
+    }
+
+    [[nodiscard]] float at(int i, int j) const {
+        return coverage_.at(textures::wrapIndex(i, coverage_.width, sides_.wrap),
+                            textures::wrapIndex(j, coverage_.height, sides_.wrap));
+    }
+
+    // Centres between the old way and the new one change sides.
+    void flipBetween(const Corner& corner, const ChainPoints& points, int last, int next) {
+        std::vector<glm::dvec2> loop{corner.place};
+        for (int k = next; k >= last; --k)
+            loop.push_back(points.place(k));
+        sides_.flipWithin(loop);
+    }
+
+    void rebuild(const ChainPoints& points, OutlineChain& chain) const {
+        std::vector<OutlinePoint> result;
+        for (int k = 0; k < points.count(); ++k) {
+            const std::size_t at = index(points, k);
+            if (!isRemoved_[at])
+                result.push_back({points.place(k), points.isSure(k)});
+            if (corners_[at])
+                result.push_back({*corners_[at], true});
+        }
+        chain.points = std::move(result);
+    }
+
+    const Plane& coverage_;
+    TexelSides& sides_;
+    // Of the points of the chain at hand.
+    std::vector<bool> isRemoved_;
+    std::vector<bool> isKept_;
+    std::vector<std::optional<glm::dvec2>> corners_;  // that follow them
+};
+
+}  // namespace
+
+void sharpenCorners(const Plane& coverage, std::vector<OutlineChain>& chains, TexelSides& sides) {
+    Sharpener sharpener(coverage, sides);
+    for (OutlineChain& chain : chains)
+        sharpener.sharpen(chain);
+}
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "preprocess/coverage_outline.h"
+#include "preprocess/texel_sides.h"
+#include "textures/plane.h"
+
+namespace relievo::preprocess {
+
+/// Puts back the corners that traceCoverage cuts off: where two straight pieces of sure points meet
+/// at 40° or more a few texels further on, the points between give way to the point where they
+/// meet; if the two half planes explain the coverage of every texel around, each within 0.08.
+/// Nothing else may lie there then, so that no chain crosses another afterwards.
+///
+/// `sides` are those of the chains, under their wrap mode, and are kept up to date.
+void sharpenCorners(const textures::Plane& coverage, std::vector<OutlineChain>& chains,
+                    TexelSides& sides);
+
+}  // namespace relievo::preprocess

@@ -1,0 +1,232 @@
+#include "preprocess/shape_baker.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "preprocess/boundary_distance.h"
+#include "preprocess/coverage_boundary.h"
+#include "preprocess/distance_transform.h"
+#include "preprocess/inside_mask.h"
+#include "preprocess/plane_shape.h"
+#include "preprocess/prewitt_gradient.h"
+#include "textures/version.h"
+
+namespace relievo::preprocess {
+namespace {
+
+using textures::Plane;
+using textures::ShapeMap;
+
+// What measureBoundaryDistances may be off: of the distance, and in texels.
+constexpr double kRelativeError = 0x1p-22;
+constexpr double kAbsoluteError = 1e-6;
+
+constexpr std::size_t kTexelsAtOnce = 1 << 16;
+
+// A shape on the texels of its map.
+struct Sampled {
+    int width;
+    int height;
+    std::vector<BoundarySegment> boundary;  // the inside to the right
+    std::vector<std::uint8_t> inside;       // centres of texels
+    const Plane* coverage;                  // of a bitmap
+};
+
+Sampled sample(const outlines::Drawing& drawing, const ShapeSource& source, const ShapePlan& plan) {
+    PlaneShape shape = shapeOf(drawing, source.width, source.height, plan.wrap);
+    Sampled sampled{source.width, source.height, std::move(shape.boundary),
+                    insideMask(shape, source.width, source.height), nullptr};
+    if (plan.isWhiteInside) {
+        for (BoundarySegment& segment : sampled.boundary)
+            std::swap(segment.start, segment.end);
+        for (std::uint8_t& texel : sampled.inside)
+            texel = static_cast<std::uint8_t>(1 - texel);
+    }
+    return sampled;
+}
+
+Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan& plan) {
+    CoverageBoundary found = coverageBoundary(coverage, plan.wrap);
+    return {source.width, source.height, std::move(found.segments), std::move(found.inside),
+            &coverage};
+}
+
+// A distance in texels as a float in tile widths that is nowhere too large.
+float towardsZero(double texels, int width) {
+    const double length = texels / width;
+    const auto rounded = static_cast<float>(length);
+    return rounded > length ? std::nextafter(rounded, 0.0f) : rounded;
+}
+
+// From distances of either sign in texels to what of them is sure, in tile widths. Returns the most
+// that true ones may be farther from 0.
+double makeSure(Plane& distance) {
+    const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
+        for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
+            const double measured = std::abs(static_cast<double>(distance.texels[t]));
+            const double off = kRelativeError * measured + kAbsoluteError;
+            const float sure = towardsZero(std::max(measured - off, 0.0), distance.width);
+            most = std::max(most, (measured + off) / distance.width - static_cast<double>(sure));
+            distance.texels[t] = std::copysign(sure, distance.texels[t]);
+        }
+        return most;
+    };
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, distance.texels.size(), kTexelsAtOnce), 0.0, work,
+        [](double a, double b) { return std::max(a, b); });
+}
+
+// Rounds distances to the format. Returns the most that it takes.
+double roundToFormat(Plane& distance, textures::StorageFormat format) {
+    if (format == textures::StorageFormat::Float)
+        return 0.0;
+    const std::vector<float> before = distance.texels;
+    textures::storeInPlace(distance, "distance", format);
+    double most = 0.0;
+    for (std::size_t t = 0; t < before.size(); ++t)
+        most = std::max(most, std::abs(static_cast<double>(before[t]) - distance.texels[t]));
+    return most;
+}
+
+double unlimited(const Sampled& shape) {
+    return kUnlimitedDiagonals * std::hypot(1.0, static_cast<double>(shape.height) / shape.width);
+}
+
+// Without an outline.
+ShapeMap levelMap(const Sampled& shape, const ShapePlan& plan) {
+    const bool isInside = shape.inside.front() != 0;
+    const auto far = static_cast<float>(unlimited(shape));
+    const float distance = !isInside ? far : (plan.isSigned ? -far : 0.0f);
+    return {Plane(shape.width, shape.height, distance), Plane(shape.width, shape.height),
+            Plane(shape.width, shape.height),
+            Plane(shape.width, shape.height, isInside ? 1.0f : 0.0f)};
+}
+
+void setUnsigned(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
+    const SquaredDistances squares =
+        distancesTo(shape.inside, shape.width, shape.height, plan.wrap);
+    map.distance = Plane(shape.width, shape.height);
+    if (std::ranges::find(shape.inside, 1) == shape.inside.end()) {
+        std::ranges::fill(map.distance.texels, static_cast<float>(unlimited(shape)));
+        return;
+    }
+    double most = 0.0;
+    for (std::size_t t = 0; t < squares.texels.size(); ++t) {
+        const double texels = std::sqrt(static_cast<double>(squares.texels[t]));
+        map.distance.texels[t] = towardsZero(texels, shape.width);
+        most = std::max(most, texels / shape.width - static_cast<double>(map.distance.texels[t]));
+    }
+    map.slack = most;
+}
+
+// How much of a texel is inside a straight outline at `distance` (texels, > 0 outside) from its
+// centre, with this unit normal.
+float halfPlaneCoverage(float distance, float normalX, float normalY) {
+    const float long_ = std::max(std::abs(normalX), std::abs(normalY));
+    const float short_ = std::min(std::abs(normalX), std::abs(normalY));
+    const float reach = 0.5f * (long_ + short_);
+    const float within = std::abs(distance);
+    float outside = 0.0f;  // of the half of the texel that the centre is in
+    if (within < 0.5f * (long_ - short_))
+        outside = 0.5f - within / long_;
+    else if (within < reach)
+        outside = (reach - within) * (reach - within) / (2.0f * long_ * short_);
+    return distance > 0.0f ? outside : 1.0f - outside;
+}
+
+// Signs, directions and coverage where the map has distances in texels and directions away from
+// the outline.
+void orient(const Sampled& shape, ShapeMap& map) {
+    const auto size = map.distance.texels.size();
+    map.shape = Plane(shape.width, shape.height);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, size, kTexelsAtOnce), [&](const auto& texels) {
+            for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
+                const bool isInside = shape.inside[t] != 0;
+                float& distance = map.distance.texels[t];
+                if (isInside && distance > 0.0f) {
+                    distance = -distance;
+                    map.gradientX.texels[t] = -map.gradientX.texels[t];
+                    map.gradientY.texels[t] = -map.gradientY.texels[t];
+                }
+                float covered = 0.0f;
+                if (shape.coverage != nullptr)
+                    covered = shape.coverage->texels[t];
+                else
+                    covered = halfPlaneCoverage(distance, map.gradientX.texels[t],
+                                                map.gradientY.texels[t]);
+                map.shape.texels[t] = isInside ? std::max(covered, 0.5f) : std::min(covered, 0.5f);
+            }
+        });
+}
+
+ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
+                 const std::function<void(std::size_t)>& advance) {
+    if (shape.boundary.empty())
+        return levelMap(shape, plan);
+    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(shape.boundary),
+                                                       shape.width, shape.height, advance);
+    ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};
+    orient(shape, map);
+    if (plan.isSigned)
+        map.slack = makeSure(map.distance);
+    else
+        setUnsigned(shape, plan, map);
+    return map;
+}
+
+std::string gradientName(const ShapePlan& plan) {
+    return plan.gradient == 0 ? "exact" : fmt::format("{}", plan.gradient);
+}
+
+}  // namespace
+
+ShapeMap bakeShape(const ShapeSource& source, const ShapePlan& plan,
+                   const std::function<void(std::size_t)>& advance) {
+    const Sampled shape = std::visit(
+        [&](const auto& content) { return sample(content, source, plan); }, source.content);
+    ShapeMap map = measure(shape, plan, advance);
+    map.wrap = plan.wrap;
+    map.isSigned = plan.isSigned;
+    map.slack += roundToFormat(map.distance, plan.format);
+    if (plan.gradient != 0)
+        prewittGradient(map.distance, map.wrap, plan.gradient, map.gradientX, map.gradientY);
+    return map;
+}
+
+ShapeMap bakeShapeFile(const std::string& name, const ShapePlan& plan) {
+    return bakeShape(readShapeSource(name, plan), plan);
+}
+
+std::string optionWords(const ShapePlan& plan) {
+    return fmt::format("shape inside={} gradient={} signed={:d} format={}",
+                       plan.isWhiteInside ? "white" : "black", gradientName(plan), plan.isSigned,
+                       textures::storageFormatName(plan.format));
+}
+
+textures::MapSet shapeFileOf(const ShapeMap& shape, const ShapePlan& plan,
+                             const std::string& source) {
+    textures::MapSet maps = textures::mapSetOf(shape);
+    maps.source = source;
+    maps.version = textures::kVersion;
+    maps.attributes["relievo:options"] = optionWords(plan);
+    maps.attributes["relievo:gradient"] = gradientName(plan);
+    float greatest = 0.0f;
+    for (const float distance : shape.distance.texels)
+        greatest = std::max(greatest, std::abs(distance));
+    if (greatest > 0.0f)
+        maps.attributes["relievo:tau"] = fmt::format("{}", 1.0 / static_cast<double>(greatest));
+    return maps;
+}
+
+}  // namespace relievo::preprocess
