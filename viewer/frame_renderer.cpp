@@ -245,21 +245,18 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
     prepare(target, view.camera.depth);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
     drawObjects(objects, view, target, [&](const SceneObject& object, int) -> gl::Program& {
-        std::vector<shaders::Define> defines;
-        if (isSearched(object))
-            defines = texturesOf(object).defines(object.shading);
+        std::vector<shaders::Define> defines = texturesOf(object).defines(object.shading);
         if (view.markExhausted)
             defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
         gl::Program& shaded = program(fragmentFilesOf(object).shaded, filesOf(object), object, view,
                                       std::move(defines));
         setLight(shaded, view);
         GLuint unit = 0;
-        if (isSearched(object)) {
+        if (isSearched(object))
             unit = bindMaterial(shaded, object);
-            unit = texturesOf(object).bind(shaded, object.shading, unit);
-        } else {
+        else
             shaded.set("plainColor", object.plainColor);
-        }
+        unit = texturesOf(object).bind(shaded, object.shading, unit);
         bindShadowMap(shaded, view, unit);
         return shaded;
     });

@@ -40,17 +40,18 @@ constexpr std::array<std::pair<Named, solids::BooleanOperation>, 3> kOperations{
      {"difference", solids::BooleanOperation::Difference}}};
 constexpr std::array<std::pair<Named, BoxAxis>, 3> kAxes{
     {{"x", BoxAxis::X}, {"y", BoxAxis::Y}, {"z", BoxAxis::Z}}};
-constexpr std::array<std::pair<Named, SolidTexturing>, 5> kTexturings{
-    {{"planar-z", SolidTexturing::PlanarZ},
-     {"planar-y", SolidTexturing::PlanarY},
-     {"planar-diagonal", SolidTexturing::PlanarDiagonal},
-     {"cylindrical", SolidTexturing::Cylindrical},
-     {"spherical", SolidTexturing::Spherical}}};
+constexpr std::array<std::pair<Named, solids::SolidTexturing>, 6> kTexturings{
+    {{"planar-z", solids::SolidTexturing::PlanarZ},
+     {"planar-y", solids::SolidTexturing::PlanarY},
+     {"planar-diagonal", solids::SolidTexturing::PlanarDiagonal},
+     {"cylindrical", solids::SolidTexturing::Cylindrical},
+     {"spherical", solids::SolidTexturing::Spherical},
+     {"box", solids::SolidTexturing::Box}}};
 
 // What a box says of its looks, or its model, or a part; what comes first counts.
 struct Looks {
     std::optional<glm::vec3> colour;
-    std::optional<SolidTexturing> texturing;
+    std::optional<solids::SolidTexturing> texturing;
     std::filesystem::path picture;
 };
 

@@ -53,7 +53,7 @@ TEST_F(SceneFiles, HaveDefaults) {
     EXPECT_EQ(scene.shapes.at("a").wrap, textures::WrapMode::Clamp);
     ASSERT_EQ(scene.boxes.size(), 1u);
     const SceneBox& box = scene.boxes[0];
-    EXPECT_EQ(box.texturing, SolidTexturing::PlanarZ);
+    EXPECT_EQ(box.texturing, solids::SolidTexturing::Box);
     EXPECT_TRUE(box.picture.empty());
     ASSERT_EQ(box.wholeToWorld.size(), 1u);
     EXPECT_EQ(box.wholeToWorld[0], wholeToLocal({2, 4, 6}));
@@ -113,14 +113,14 @@ TEST_F(SceneFiles, HaveAllThatTheySay) {
     ASSERT_EQ(scene.boxes.size(), 3u);
     const SceneBox& model = scene.boxes[0];
     EXPECT_EQ(model.name, "m");
-    EXPECT_EQ(model.texturing, SolidTexturing::Spherical);
+    EXPECT_EQ(model.texturing, solids::SolidTexturing::Spherical);
     EXPECT_EQ(model.parts[0].colour, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_FLOAT_EQ(model.parts[1].colour.r, 1.0f);
     EXPECT_FLOAT_EQ(model.parts[1].colour.g, 0.0f);
     EXPECT_NEAR(model.parts[1].colour.b, std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
     EXPECT_EQ(glm::dvec3(model.wholeToWorld[0] * glm::dvec4(0.5, 0.5, 0.5, 1)),
               glm::dvec3(1, 0, 0));
-    EXPECT_EQ(scene.boxes[1].texturing, SolidTexturing::PlanarDiagonal);
+    EXPECT_EQ(scene.boxes[1].texturing, solids::SolidTexturing::PlanarDiagonal);
     EXPECT_EQ(scene.boxes[1].picture, folder() / "wood.png");
     EXPECT_EQ(scene.boxes[1].parts[0].colour, glm::vec3(1.0f)) << "the box over its model";
     EXPECT_FLOAT_EQ(scene.boxes[1].parts[1].colour.g, 0.0f) << "the part over the box";

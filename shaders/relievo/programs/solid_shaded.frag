@@ -23,7 +23,7 @@ vec3 shade(SolidTrace trace, SolidSurface surface, vec3 view) {
     if (!solidIsLit(trace, toLight)) light = vec3(0.0);
 #endif
 #ifdef RELIEVO_SHADOW_MAP
-    light *= shadowMapVisibility(trace.position);
+    light *= shadowMapVisibility(trace.position, trace.normal);
 #endif
     return clamp(shadeRelief(appearance, trace.normal, toLight, -view, light), 0.0, 1.0);
 }
