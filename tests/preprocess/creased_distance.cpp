@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 namespace relievo::preprocess {
 namespace {
@@ -26,11 +27,11 @@ struct Corner {
 };
 
 std::vector<Corner> sidesOf(const std::vector<OutlineContour>& contours,
-                            const PlaneOutline& outline) {
+                            const std::vector<OutlineCorner>& places, const PlaneOutline& outline) {
     std::vector<Corner> corners;
     std::size_t number = 0;
     std::size_t contour = std::numeric_limits<std::size_t>::max();
-    for (const OutlineCorner& at : cornersOf(contours)) {
+    for (const OutlineCorner& at : places) {
         number = at.contour == contour ? number + 1 : 0;
         contour = at.contour;
         const OutlineContour& points = contours[contour];
@@ -45,7 +46,7 @@ std::vector<Corner> sidesOf(const std::vector<OutlineContour>& contours,
         const bool turnsLeft = cross(in, behind.direction()) > 0.0;
         const double turn = std::acos(std::clamp(glm::dot(in, behind.direction()), -1.0, 1.0));
         // Samples of cells on one side that are nearer to the other one.
-        const double half = 0.5 * (3.14159265358979 - turn);
+        const double half = 0.5 * (std::numbers::pi - turn);
         const double reach = std::min(1.5 + 1.5 / std::tan(half), 12.0);
         // Along the contour sides are the first and the second of their corners in turn, so that
         // each is the same one at both of its ends.
@@ -71,6 +72,78 @@ Crease creaseAt(const Corner& corner, const glm::dvec2& place) {
     return {std::min(a, b), std::clamp(kCreaseLimit + b - a, 0.0, 2.0 * kCreaseLimit)};
 }
 
+// A sample that a corner changes.
+struct CreasedSample {
+    int i;
+    int j;
+    double share;  // how far away from the corner, of its reach
+    Crease crease;
+};
+
+// Whether a cell around the sample has the outline in it, as the corner alone would have it.
+bool isNeeded(const Corner& corner, int i, int j) {
+    for (const int y : {j, j + 1})
+        for (const int x : {i, i + 1})
+            if (std::abs(creaseAt(corner, glm::dvec2(x, y)).value) < 0.7072)
+                return true;
+    return false;
+}
+
+// Nothing else is near: on the side where the corner is sharp distances are those of the two sides,
+// and on the other they are nowhere smaller.
+bool agrees(const Corner& corner, double value, double distance) {
+    constexpr double kTolerance = 0.05;
+    const double sign = corner.isConvex ? 1.0 : -1.0;
+    const double difference = sign * (value - distance);
+    return difference < kTolerance &&
+           (sign * distance < 0.0 ? difference > -kTolerance : sign * value > -kTolerance);
+}
+
+// The samples that a corner changes; none where something else is too near.
+std::vector<CreasedSample> samplesOf(const Corner& corner, const textures::Plane& exact) {
+    const int reach = static_cast<int>(std::ceil(corner.reach));
+    const int x = static_cast<int>(std::floor(corner.place.x));
+    const int y = static_cast<int>(std::floor(corner.place.y));
+    std::vector<CreasedSample> samples;
+    for (int j = std::max(0, y - reach); j <= std::min(exact.height - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(exact.width - 1, x + reach); ++i) {
+            const glm::dvec2 place(i + 0.5, j + 0.5);
+            const double share = glm::distance(place, corner.place) / corner.reach;
+            if (share >= 1.0 || !isNeeded(corner, i, j))
+                continue;
+            const Crease crease = creaseAt(corner, place);
+            if (!agrees(corner, crease.value, exact.at(i, j)))
+                return {};
+            samples.push_back({i, j, share, crease});
+        }
+    return samples;
+}
+
+// Around creases where e crosses K other samples must have e = K, which leaves their f as it is.
+int raiseAround(const textures::Plane& share, SampledDistance& field) {
+    const auto limit = static_cast<float>(kCreaseLimit);
+    const textures::Plane crease = field.crease;
+    int conflicts = 0;
+    for (int j = 0; j < crease.height; ++j)
+        for (int i = 0; i < crease.width; ++i) {
+            if (share.at(i, j) < 1.0f)
+                continue;
+            bool isBelow = false;
+            bool isAbove = false;
+            for (int y = std::max(0, j - 1); y <= std::min(crease.height - 1, j + 1); ++y)
+                for (int x = std::max(0, i - 1); x <= std::min(crease.width - 1, i + 1); ++x) {
+                    isBelow = isBelow || crease.at(x, y) < 0.0f;
+                    isAbove = isAbove || crease.at(x, y) > limit;
+                }
+            conflicts += isBelow && isAbove ? 1 : 0;
+            if (!isAbove || isBelow)
+                continue;
+            field.crease.at(i, j) = limit;
+            field.distance.at(i, j) -= limit;
+        }
+    return conflicts;
+}
+
 }  // namespace
 
 OutlineSide::OutlineSide(const OutlineContour& contour, std::size_t corner, int step, double reach,
@@ -79,7 +152,7 @@ OutlineSide::OutlineSide(const OutlineContour& contour, std::size_t corner, int 
     const auto size = static_cast<std::ptrdiff_t>(contour.size());
     auto number = static_cast<std::ptrdiff_t>(corner);
     double length = 0.0;
-    const double most = std::cos(5.0 * 3.14159265358979 / 180.0);
+    const double most = std::cos(5.0 * std::numbers::pi / 180.0);
     while (length < reach) {
         number = (number + step + size) % size;
         const glm::dvec2 point = contour[static_cast<std::size_t>(number)];
@@ -119,87 +192,34 @@ double OutlineSide::distance(const glm::dvec2& place) const {
 
 SampledDistance sampleDistance(const textures::Plane& exact,
                                const std::vector<OutlineContour>& contours,
+                               const std::vector<OutlineCorner>& corners,
                                const PlaneOutline& outline, CornerMethod method,
                                CreaseStatistics* statistics) {
-    const int width = exact.width;
-    const int height = exact.height;
     SampledDistance field{exact, {}, kCreaseLimit};
     if (method == CornerMethod::Plain)
         return field;
-    const std::vector<Corner> corners = sidesOf(contours, outline);
-    // Which corner has a sample: the one whose reach it is the deepest in.
-    textures::Plane depth(width, height, 1.0f);
-    textures::Plane owner(width, height, -1.0f);
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-        const Corner& corner = corners[c];
-        const int reach = static_cast<int>(std::ceil(corner.reach));
-        const int x = static_cast<int>(std::floor(corner.place.x));
-        const int y = static_cast<int>(std::floor(corner.place.y));
-        for (int j = std::max(0, y - reach); j <= std::min(height - 1, y + reach); ++j)
-            for (int i = std::max(0, x - reach); i <= std::min(width - 1, x + reach); ++i) {
-                const double share =
-                    glm::distance(glm::dvec2(i + 0.5, j + 0.5), corner.place) / corner.reach;
-                if (share >= depth.at(i, j))
-                    continue;
-                depth.at(i, j) = static_cast<float>(share);
-                owner.at(i, j) = static_cast<float>(c);
-            }
-    }
-    // Only what cells that the outline passes need: other samples stay at their distances.
-    const auto isNeeded = [&](const Corner& corner, int i, int j) {
-        for (const int y : {j, j + 1})
-            for (const int x : {i, i + 1})
-                if (std::abs(creaseAt(corner, glm::dvec2(x, y)).value) < 0.7072)
-                    return true;
-        return false;
-    };
-    textures::Plane crease(width, height);
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            if (owner.at(i, j) < 0.0f)
+    CreaseStatistics counted;
+    field.crease = textures::Plane(exact.width, exact.height);
+    // Of two corners the one changes a sample that it is the nearer to.
+    textures::Plane share(exact.width, exact.height, 1.0f);
+    for (const Corner& corner : sidesOf(contours, corners, outline)) {
+        const std::vector<CreasedSample> samples = samplesOf(corner, exact);
+        ++(samples.empty() ? counted.dropped : counted.corners);
+        for (const CreasedSample& sample : samples) {
+            if (sample.share >= share.at(sample.i, sample.j))
                 continue;
-            const Corner& corner = corners[static_cast<std::size_t>(owner.at(i, j))];
-            Crease at = creaseAt(corner, {i + 0.5, j + 0.5});
-            if (!isNeeded(corner, i, j)) {
-                if (getenv("ZERO")) { owner.at(i, j) = -1.0f; continue; }
-                at.value = exact.at(i, j);
-            }
-            const double e = method == CornerMethod::Creased ? at.e : 0.0;
-            crease.at(i, j) = static_cast<float>(e);
-            field.distance.at(i, j) =
-                static_cast<float>(at.value - std::clamp(e, 0.0, kCreaseLimit));
+            share.at(sample.i, sample.j) = static_cast<float>(sample.share);
+            const double e = method == CornerMethod::Creased ? sample.crease.e : 0.0;
+            field.crease.at(sample.i, sample.j) = static_cast<float>(e);
+            field.distance.at(sample.i, sample.j) =
+                static_cast<float>(sample.crease.value - std::clamp(e, 0.0, kCreaseLimit));
         }
-    if (method == CornerMethod::Planes)
-        return field;
-    // Around creases at e = K other samples have e = K as well.
-    int conflicts = 0;
-    textures::Plane around = crease;
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            if (owner.at(i, j) >= 0.0f)
-                continue;
-            bool isBelow = false;
-            bool isAbove = false;
-            for (int y = std::max(0, j - 1); y <= std::min(height - 1, j + 1); ++y)
-                for (int x = std::max(0, i - 1); x <= std::min(width - 1, i + 1); ++x) {
-                    if (owner.at(x, y) < 0.0f)
-                        continue;
-                    isBelow = isBelow || crease.at(x, y) < 0.0f;
-                    isAbove = isAbove || crease.at(x, y) > static_cast<float>(kCreaseLimit);
-                }
-            conflicts += isBelow && isAbove ? 1 : 0;
-            if (!isAbove || isBelow)
-                continue;
-            around.at(i, j) = static_cast<float>(kCreaseLimit);
-            field.distance.at(i, j) -= static_cast<float>(kCreaseLimit);
-        }
-    if (statistics != nullptr) {
-        statistics->corners = static_cast<int>(corners.size());
-        statistics->conflicts = conflicts;
-        statistics->samples = static_cast<int>(std::count_if(
-            owner.texels.begin(), owner.texels.end(), [](float o) { return o >= 0.0f; }));
     }
-    field.crease = around;
+    counted.samples = static_cast<int>(
+        std::count_if(share.texels.begin(), share.texels.end(), [](float s) { return s < 1.0f; }));
+    counted.conflicts = raiseAround(share, field);
+    if (statistics != nullptr)
+        *statistics = counted;
     return field;
 }
 

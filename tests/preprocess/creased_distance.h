@@ -45,14 +45,16 @@ enum class CornerMethod {
 };
 
 struct CreaseStatistics {
-    int corners = 0;
+    int corners = 0;    ///< kept sharp
+    int dropped = 0;    ///< left round: something else is within a texel or two of them
     int samples = 0;    ///< with a crease
     int conflicts = 0;  ///< samples beside creases of both kinds, where one is not exact
 };
 
-/// `exact`: signed distances on texel centres. Contours in texels.
+/// `exact`: signed distances on texel centres. Contours in texels, their corners in order.
 SampledDistance sampleDistance(const textures::Plane& exact,
                                const std::vector<reference::OutlineContour>& contours,
+                               const std::vector<OutlineCorner>& corners,
                                const reference::PlaneOutline& outline, CornerMethod method,
                                CreaseStatistics* statistics = nullptr);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "coverage_lines.h"
 #include "coverage_outline.h"
 #include "creased_distance.h"
 #include "outline_error.h"
@@ -84,8 +85,9 @@ struct Case {
 
     [[nodiscard]] OutlineErrors errors(CornerMethod method,
                                        CreaseStatistics* statistics = nullptr) const {
-        return measureErrors(sampleDistance(distance, contours, outline, method, statistics),
-                             contours, outline, glm::ivec2(1), glm::ivec2(kSize - 1));
+        return measureErrors(
+            sampleDistance(distance, contours, cornersOf(contours), outline, method, statistics),
+            contours, outline, glm::ivec2(1), glm::ivec2(kSize - 1));
     }
 };
 
@@ -108,8 +110,8 @@ TEST(ShapeTruth, Report) {
             continue;
         CreaseStatistics statistics;
         print(name, "creased", one.errors(CornerMethod::Creased, &statistics));
-        fmt::print("corners {} samples {} conflicts {}\n", statistics.corners, statistics.samples,
-                   statistics.conflicts);
+        fmt::print("corners {} dropped {} samples {} conflicts {}\n", statistics.corners,
+                   statistics.dropped, statistics.samples, statistics.conflicts);
     }
 }
 
@@ -132,6 +134,22 @@ TEST(ShapeTruth, ReportOfCoverage) {
         print(
             name, "coverage",
             measureErrors(field, one.contours, one.outline, glm::ivec2(1), glm::ivec2(kSize - 1)));
+        const FittedOutline fitted = fittedOutline(coverage);
+        const PlaneOutline outline(fitted.contours, reference::Filling::EvenOdd);
+        textures::Plane exact(kSize, kSize);
+        for (int j = 0; j < kSize; ++j)
+            for (int i = 0; i < kSize; ++i)
+                exact.at(i, j) = static_cast<float>(outline.distance({i + 0.5, j + 0.5}));
+        CreaseStatistics statistics;
+        for (const CornerMethod method : {CornerMethod::Plain, CornerMethod::Creased})
+            print(name, method == CornerMethod::Plain ? "lines" : "creased",
+                  measureErrors(sampleDistance(exact, fitted.contours, fitted.corners, outline,
+                                               method, &statistics),
+                                one.contours, one.outline, glm::ivec2(1), glm::ivec2(kSize - 1)));
+        fmt::print(
+            "vertices {} on lines {} corners {} left {}; creased {} dropped {} conflicts {}\n",
+            fitted.statistics.vertices, fitted.statistics.onLines, fitted.statistics.corners,
+            fitted.statistics.left, statistics.corners, statistics.dropped, statistics.conflicts);
     }
 }
 
