@@ -11,12 +11,12 @@
 
 #include "coverage_lines.h"
 #include "coverage_outline.h"
-#include "creased_distance.h"
 #include "outline_error.h"
 #include "outlines/text_outline.h"
 #include "preprocess/boundary_distance.h"
 #include "preprocess/boundary_tree.h"
 #include "preprocess/inside_mask.h"
+#include "preprocess/outline_creases.h"
 #include "preprocess/plane_shape.h"
 #include "reference/sample_outlines.h"
 
@@ -71,31 +71,32 @@ textures::Plane signedDistances(const PlaneShape& shape) {
     return plane;
 }
 
+SampledDistance sampled(const CreasedDistances& creased) {
+    return {creased.distance, creased.crease, kCreaseLimit};
+}
+
 struct Case {
     SampleOutline shape;
     std::vector<OutlineContour> contours;  // in texels
     PlaneOutline outline;
+    PlaneShape plane;
     textures::Plane distance;
 
     explicit Case(const std::string& name)
         : shape(sample(name)),
           contours(inTexels(shape.contours)),
           outline(contours, shape.filling),
-          distance(
-              signedDistances(shapeOf(outlineOf(shape), kSize, kSize, textures::WrapMode::Clamp))) {
-    }
+          plane(shapeOf(outlineOf(shape), kSize, kSize, textures::WrapMode::Clamp)),
+          distance(signedDistances(plane)) {}
 
     [[nodiscard]] OutlineErrors errors(const SampledDistance& field) const {
         return measureErrors(field, contours, outline, glm::ivec2(1), glm::ivec2(kSize - 1), 8);
     }
-    [[nodiscard]] SampledDistance field(CornerMethod method,
-                                        CreaseStatistics* statistics = nullptr) const {
-        return sampleDistance(distance, contours, cornersOf(contours), outline, method, statistics);
+    [[nodiscard]] SampledDistance plain() const { return {distance, {}, 0.0}; }
+    [[nodiscard]] CreasedDistances creased() const {
+        return creaseCorners(plane.boundary, distance, textures::WrapMode::Clamp);
     }
-    [[nodiscard]] textures::Plane coverage() const {
-        return coverageOf(shapeOf(outlineOf(shape), kSize, kSize, textures::WrapMode::Clamp), kSize,
-                          kSize, 255);
-    }
+    [[nodiscard]] textures::Plane coverage() const { return coverageOf(plane, kSize, kSize, 255); }
 };
 
 void print(const std::string& name, const std::string& what, const OutlineErrors& errors) {
@@ -113,7 +114,7 @@ void print(const std::string& name, const std::string& what, const OutlineErrors
 TEST(ShapeTruth, BilinearDistancesAreRightWhereOutlinesAreSmooth) {
     for (const std::string name : {"disc", "annulus"}) {
         const Case one(name);
-        const OutlineErrors errors = one.errors(one.field(CornerMethod::Plain));
+        const OutlineErrors errors = one.errors(one.plain());
         print(name, "plain", errors);
         EXPECT_LT(errors.away(), 0.002);
     }
@@ -123,7 +124,7 @@ TEST(ShapeTruth, BilinearDistancesAreRightWhereOutlinesAreSmooth) {
 TEST(ShapeTruth, BilinearDistancesRoundCorners) {
     for (const std::string name : {"star", "Ag"}) {
         const Case one(name);
-        const OutlineErrors errors = one.errors(one.field(CornerMethod::Plain));
+        const OutlineErrors errors = one.errors(one.plain());
         print(name, "plain", errors);
         EXPECT_GT(errors.levelAtCorners.largest, 0.3);
         EXPECT_GT(errors.outlineAtCorners.largest, 1.0);  // tips are lost
@@ -155,21 +156,21 @@ TEST(ShapeTruth, NoBilinearDistanceHasASharpCorner) {
 TEST(ShapeTruth, CreasedDistancesAreRightAtCornersToo) {
     for (const std::string name : {"star", "Ag", "Relievo", "&"}) {
         const Case one(name);
-        CreaseStatistics statistics;
-        const OutlineErrors errors = one.errors(one.field(CornerMethod::Creased, &statistics));
+        const CreasedDistances creased = one.creased();
+        const OutlineErrors errors = one.errors(sampled(creased));
         print(name, "creased", errors);
         EXPECT_LT(errors.away(), 0.05) << name;
         EXPECT_LT(errors.atCorners(), 0.05) << name;
-        EXPECT_EQ(statistics.dropped, 0);
-        EXPECT_EQ(statistics.conflicts, 0);
+        EXPECT_EQ(creased.sharpCorners, static_cast<int>(cornersOf(one.contours).size()));
+        EXPECT_EQ(creased.roundCorners, 0);
     }
 }
 
 // Bars and slits of 3 texels and less: corners there are left as they were.
 TEST(ShapeTruth, CreasesDoNotHarmThinParts) {
     const Case comb("comb");
-    const OutlineErrors plain = comb.errors(comb.field(CornerMethod::Plain));
-    const OutlineErrors creased = comb.errors(comb.field(CornerMethod::Creased));
+    const OutlineErrors plain = comb.errors(comb.plain());
+    const OutlineErrors creased = comb.errors(sampled(comb.creased()));
     print("comb", "plain", plain);
     print("comb", "creased", creased);
     EXPECT_LE(creased.away(), plain.away() + 1e-6);
@@ -186,6 +187,13 @@ struct Wedge {
                     place + 450.0 * along(turn + 0.5 * degrees * kDegree),
                     place + 300.0 * along(turn + degrees * kDegree)}},
           outline(contours) {}
+
+    [[nodiscard]] std::vector<BoundarySegment> boundary() const {
+        std::vector<BoundarySegment> segments;
+        for (std::size_t k = 0; k < 4; ++k)
+            segments.push_back({contours[0][k], contours[0][(k + 1) % 4]});
+        return segments;
+    }
 
     static constexpr double kDegree = std::numbers::pi / 180.0;
     static glm::dvec2 along(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -205,14 +213,14 @@ TEST(ShapeTruth, CreasedCornersAreSharpAtAnyPlaceAndTurn) {
             for (int j = 0; j < kMap; ++j)
                 for (int i = 0; i < kMap; ++i)
                     exact.at(i, j) = static_cast<float>(wedge.outline.distance({i + 0.5, j + 0.5}));
-            const auto largest = [&](CornerMethod method) {
-                const OutlineErrors errors = measureErrors(
-                    sampleDistance(exact, wedge.contours, {{0, 0, place}}, wedge.outline, method),
-                    wedge.contours, wedge.outline, glm::ivec2(14), glm::ivec2(27), 64);
+            const auto largest = [&](const SampledDistance& field) {
+                const OutlineErrors errors = measureErrors(field, wedge.contours, wedge.outline,
+                                                           glm::ivec2(14), glm::ivec2(27), 64);
                 return std::max(errors.away(), errors.atCorners());
             };
-            plain = std::max(plain, largest(CornerMethod::Plain));
-            creased = std::max(creased, largest(CornerMethod::Creased));
+            plain = std::max(plain, largest({exact, {}, 0.0}));
+            creased = std::max(creased, largest(sampled(creaseCorners(wedge.boundary(), exact,
+                                                                      textures::WrapMode::Clamp))));
         }
         fmt::print("{}°: plain {:.3f}, creased {:.3f}\n", degrees, plain, creased);
         EXPECT_GT(plain, 0.25);
@@ -230,12 +238,13 @@ textures::Plane distancesOf(const textures::Plane& coverage) {
 }
 
 SampledDistance distancesOf(const FittedOutline& fitted) {
-    const PlaneOutline outline(fitted.contours, reference::Filling::EvenOdd);
-    textures::Plane exact(kSize, kSize);
-    for (int j = 0; j < kSize; ++j)
-        for (int i = 0; i < kSize; ++i)
-            exact.at(i, j) = static_cast<float>(outline.distance({i + 0.5, j + 0.5}));
-    return sampleDistance(exact, fitted.contours, fitted.corners, outline, CornerMethod::Creased);
+    outlines::Outline outline{fitted.contours, outlines::FillRule::EvenOdd};
+    for (outlines::Contour& contour : outline.contours)
+        for (glm::dvec2& point : contour)
+            point /= static_cast<double>(kSize);
+    const PlaneShape plane = shapeOf(outline, kSize, kSize, textures::WrapMode::Clamp);
+    return sampled(
+        creaseCorners(plane.boundary, signedDistances(plane), textures::WrapMode::Clamp));
 }
 
 // The half level of 8-bit coverage keeps to a quarter of a texel away from corners, and not there.
