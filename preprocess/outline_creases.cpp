@@ -212,6 +212,7 @@ struct Sample {
     int j;
     double share;  // how far away from the corner, of its reach
     Corner::Values values;
+    bool isCreased;  // e is needed, not only f
 };
 
 // Signed distances of a map and of what continues it.
@@ -238,12 +239,30 @@ bool mayHaveOutline(const Corner& corner, const Distances& distances, int i, int
     return false;
 }
 
-bool isNeeded(const Corner& corner, const Distances& distances, int i, int j) {
+// Whether the cell has samples on both sides of the crease.
+bool isCreased(const Corner& corner, int i, int j) {
+    const double level = corner.isConvex ? 0.0 : kCreaseLimit;
+    int above = 0;
+    for (const int y : {j, j + 1})
+        for (const int x : {i, i + 1})
+            above += corner.at(glm::dvec2(x + 0.5, y + 0.5)).e > level ? 1 : 0;
+    return above % 4 != 0;
+}
+
+// What the cells around a sample want of it.
+struct Need {
+    bool ofValue = false;   // f as the corner has it
+    bool ofCrease = false;  // e as well
+};
+Need needOf(const Corner& corner, const Distances& distances, int i, int j) {
+    Need need;
     for (const int y : {j - 1, j})
         for (const int x : {i - 1, i})
-            if (mayHaveOutline(corner, distances, x, y))
-                return true;
-    return false;
+            if (mayHaveOutline(corner, distances, x, y)) {
+                need.ofValue = true;
+                need.ofCrease = need.ofCrease || isCreased(corner, x, y);
+            }
+    return need;
 }
 
 // Nothing else is near: where the corner is sharp distances are those to its sides, and on the
@@ -267,11 +286,15 @@ std::vector<Sample> samplesOf(const Corner& corner, const Distances& distances, 
              ++i) {
             const glm::dvec2 place(i + 0.5, j + 0.5);
             const double share = glm::distance(place, corner.place) / corner.reach;
-            if (share >= 1.0 || !isNeeded(corner, distances, i, j))
+            if (share >= 1.0)
                 continue;
-            const Corner::Values values = corner.at(place);
+            const Need need = needOf(corner, distances, i, j);
+            if (!need.ofValue)
+                continue;
+            Corner::Values values = corner.at(place);
+            values.e = need.ofCrease ? values.e : 0.0;
             isAlone = isAlone && agrees(corner, values.f, distances.at(i, j));
-            samples.push_back({i, j, share, values});
+            samples.push_back({i, j, share, values, need.ofCrease});
         }
     return samples;
 }
@@ -280,58 +303,111 @@ bool isInTile(const glm::dvec2& place, const Plane& plane) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x < plane.width && place.y < plane.height;
 }
 
+// Whether two samples of different corners, `steps` apart, would crease a cell between them that
+// should have none: f is bilinear where e is in [0, K], or on one side of it, and a free sample
+// between has to be 0 beside the ones and K beside the others.
+bool clash(double a, double b, int steps) {
+    const auto [low, high] = std::minmax(a, b);
+    if (steps > 1)
+        return low < 0.0 && high > kCreaseLimit;
+    return (low < 0.0 && high > 0.0) || (low < kCreaseLimit && high > kCreaseLimit);
+}
+
+// Writes the samples of one corner after the other, unless they clash with those before.
+class CreaseMap {
+  public:
+    CreaseMap(const Plane& distance, WrapMode wrap)
+        : wrap_(wrap),
+          share_(distance.width, distance.height, 1.0f),
+          creased{distance, Plane(distance.width, distance.height)} {}
+
+    [[nodiscard]] bool accepts(const std::vector<Sample>& samples) const {
+        return std::none_of(samples.begin(), samples.end(),
+                            [&](const Sample& sample) { return clashes(sample); });
+    }
+
+    void write(const std::vector<Sample>& samples) {
+        for (const Sample& sample : samples) {
+            float& share = share_.at(sample.i, sample.j);
+            // Where a crease is needed it stays; of two corners that need none the nearer counts.
+            const auto needed = static_cast<float>(sample.isCreased ? -1.0 : sample.share);
+            if (needed >= share)
+                continue;
+            share = needed;
+            changed_.emplace_back(sample.i, sample.j);
+            creased.crease.at(sample.i, sample.j) = static_cast<float>(sample.values.e);
+            creased.distance.at(sample.i, sample.j) = static_cast<float>(
+                sample.values.f - std::clamp(sample.values.e, 0.0, kCreaseLimit));
+        }
+    }
+
+    void raiseAround();
+
+  private:
+    template <class Visit>
+    void visitAround(const glm::ivec2& place, int steps, const Visit& visit) const {
+        for (int j = place.y - steps; j <= place.y + steps; ++j)
+            for (int i = place.x - steps; i <= place.x + steps; ++i)
+                visit(glm::ivec2(textures::wrapIndex(i, share_.width, wrap_),
+                                 textures::wrapIndex(j, share_.height, wrap_)),
+                      std::max(std::abs(i - place.x), std::abs(j - place.y)));
+    }
+    [[nodiscard]] bool clashes(const Sample& sample) const {
+        if (!sample.isCreased)
+            return false;
+        bool result = false;
+        visitAround({sample.i, sample.j}, 2, [&](const glm::ivec2& other, int steps) {
+            if (share_.at(other.x, other.y) >= 0.0f)
+                return;
+            const double e = creased.crease.at(other.x, other.y);
+            result = result || (steps == 0 ? std::abs(e - sample.values.e) > 1e-3
+                                           : clash(e, sample.values.e, steps));
+        });
+        return result;
+    }
+
+    WrapMode wrap_;
+    Plane share_;  // of the corner that has a sample; −1 where it has a crease
+    std::vector<glm::ivec2> changed_;
+
+  public:
+    CreasedDistances creased;
+};
+
 // Around creases where e crosses K other samples must have e = K, which leaves f as it is.
-void raiseAround(const Plane& share, WrapMode wrap, CreasedDistances& creased) {
+void CreaseMap::raiseAround() {
     const auto limit = static_cast<float>(kCreaseLimit);
     const Plane crease = creased.crease;
-    const auto at = [&](int i, int j) {
-        return crease.at(textures::wrapIndex(i, crease.width, wrap),
-                         textures::wrapIndex(j, crease.height, wrap));
-    };
-    for (int j = 0; j < crease.height; ++j)
-        for (int i = 0; i < crease.width; ++i) {
-            if (share.at(i, j) < 1.0f)
-                continue;
-            float low = 0.0f;
-            float high = 0.0f;
-            for (int y = j - 1; y <= j + 1; ++y)
-                for (int x = i - 1; x <= i + 1; ++x) {
-                    low = std::min(low, at(x, y));
-                    high = std::max(high, at(x, y));
-                }
-            if (low < 0.0f || high <= limit)
-                continue;
-            creased.crease.at(i, j) = limit;
-            creased.distance.at(i, j) -= limit;
-        }
+    for (const glm::ivec2& high : changed_) {
+        if (crease.at(high.x, high.y) <= limit)
+            continue;
+        visitAround(high, 1, [&](const glm::ivec2& place, int) {
+            float& e = creased.crease.at(place.x, place.y);
+            if (e != 0.0f || share_.at(place.x, place.y) < 0.0f)
+                return;
+            e = limit;
+            creased.distance.at(place.x, place.y) -= limit;
+        });
+    }
 }
 
 }  // namespace
 
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, const Plane& distance,
                                WrapMode wrap) {
-    CreasedDistances creased{distance, Plane(distance.width, distance.height)};
+    CreaseMap map(distance, wrap);
     const Paths paths(boundary);
-    // Of two corners the one changes a sample that it is the nearer to.
-    Plane share(distance.width, distance.height, 1.0f);
     for (const Corner& corner : cornersOf(paths, boundary.size())) {
         bool isAlone = true;
         const std::vector<Sample> samples = samplesOf(corner, {distance, wrap}, isAlone);
+        const bool isSharp = isAlone && map.accepts(samples);
+        if (isSharp)
+            map.write(samples);
         if (isInTile(corner.place, distance))
-            ++(isAlone ? creased.sharpCorners : creased.roundCorners);
-        if (!isAlone)
-            continue;
-        for (const Sample& sample : samples) {
-            if (sample.share >= share.at(sample.i, sample.j))
-                continue;
-            share.at(sample.i, sample.j) = static_cast<float>(sample.share);
-            creased.crease.at(sample.i, sample.j) = static_cast<float>(sample.values.e);
-            creased.distance.at(sample.i, sample.j) = static_cast<float>(
-                sample.values.f - std::clamp(sample.values.e, 0.0, kCreaseLimit));
-        }
+            ++(isSharp ? map.creased.sharpCorners : map.creased.roundCorners);
     }
-    raiseAround(share, wrap, creased);
-    return creased;
+    map.raiseAround();
+    return std::move(map.creased);
 }
 
 }  // namespace relievo::preprocess
