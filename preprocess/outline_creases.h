@@ -36,11 +36,11 @@ inline constexpr double kCreaseLimit = 16.0;
 inline constexpr double kCornerCosine = 0.99619469809174555;
 
 /// Creases `distance`, the signed distances (< 0 inside) of texel centres to `boundary`, the
-/// segments of a PlaneShape: one after the other in their paths, the inside where
-/// cross(end − start, place − start) > 0. Only samples of cells around corners change that the
-/// outline passes. Outside of a convex corner of angle α f is then smaller than the distance, by at
-/// most √2·(1 − sin(α/2)), and inside of a reflex one larger; nowhere is f further from 0 than it
-/// was by more than a twentieth of a texel.
+/// segments of a PlaneShape. Only samples of cells around corners change that the outline passes.
+/// Outside of a convex corner of angle α their f is then smaller than the distance, by at most
+/// √2·(1 − sin(α/2)), and inside of a reflex one larger; of no sample is f further from 0 than the
+/// distance by more than a twentieth of a texel. Corners stay round that have another part of the
+/// outline, or another corner of the other kind, within some 5 texels or less.
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary,
                                const textures::Plane& distance, textures::WrapMode wrap);
 
