@@ -16,12 +16,13 @@ using reference::AxisWalk;
 using textures::InputError;
 using textures::WrapMode;
 
+// The last row of an inverse that somebody has computed is 0, 0, 0, 1 up to a rounding.
 bool isAffine(const glm::dmat4& m) {
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row)
+        for (int row = 0; row < 3; ++row)
             if (!std::isfinite(m[column][row]))
                 return false;
-        if (m[column][3] != (column < 3 ? 0.0 : 1.0))
+        if (!(std::abs(m[column][3] - (column < 3 ? 0.0 : 1.0)) <= 1e-9))
             return false;
     }
     return true;
@@ -56,18 +57,6 @@ double bilinear(const textures::Plane& plane, const AxisWalk& column, const Axis
         plane.at(column.low(), row.low()), plane.at(column.high(), row.low()),
         plane.at(column.low(), row.high()), plane.at(column.high(), row.high()));
     return cell.depth({column.local(0.0), row.local(0.0)});
-}
-
-double sectionDistance(const Solid& solid, const glm::dvec3& place) {
-    const textures::Plane& d = solid.shape->distance;
-    const glm::dvec3 tile = glm::floor(place);
-    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
-    const bool isUpsideDown =
-        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
-    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
-    return bilinear(d,
-                    {std::hypot(radial.x, radial.y) * d.width - 0.5, 0.0, d.width, WrapMode::Clamp},
-                    {z * d.height - 0.5, 0.0, d.height, WrapMode::Clamp});
 }
 
 // The parts of a compound along a ray, from event to event.
@@ -144,9 +133,20 @@ bool joined(const Compound& compound, const std::vector<char>& isInside) noexcep
     return whole;
 }
 
+double sectionDistance(const Solid& solid, const glm::dvec3& tile, const glm::dvec3& place) {
+    const textures::Plane& d = solid.shape->distance;
+    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
+    const bool isUpsideDown =
+        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
+    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
+    return bilinear(d,
+                    {std::hypot(radial.x, radial.y) * d.width - 0.5, 0.0, d.width, WrapMode::Clamp},
+                    {z * d.height - 0.5, 0.0, d.height, WrapMode::Clamp});
+}
+
 double distanceAt(const Solid& solid, const glm::dvec3& place) {
     if (solid.kind == SolidKind::Revolution)
-        return sectionDistance(solid, place);
+        return sectionDistance(solid, glm::floor(place), place);
     const textures::ShapeMap& map = *solid.shape;
     return bilinear(map.distance, {place.x * map.width() - 0.5, 0.0, map.width(), map.wrap},
                     {place.y * map.height() - 0.5, 0.0, map.height(), map.wrap});

@@ -98,4 +98,9 @@ class SolidTracer {
 /// d of an extrusion at (u,v), or of the section of a revolution, in the replica of that place.
 [[nodiscard]] double distanceAt(const Solid& solid, const glm::dvec3& place);
 
+/// d of the section of a revolution, clamped, as the replica of tile `tile` (integers) has it at a
+/// place in it or beside it.
+[[nodiscard]] double sectionDistance(const Solid& solid, const glm::dvec3& tile,
+                                     const glm::dvec3& place);
+
 }  // namespace relievo::solids
