@@ -32,6 +32,10 @@ Box windowOf(const SolidPart& part) {
     return box;
 }
 
+bool isWithoutVolume(const Box& box) {
+    return !(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z);
+}
+
 // What a bound of the distance in tile space takes: the metric, and how long a unit of v is.
 struct Scale {
     const TileMetric& metric;
@@ -136,8 +140,8 @@ DistanceBounds revolutionBounds(const SolidPart& part, const FreeSpace& freeSpac
     for (int k = 0; k < 27; ++k) {
         const glm::dvec3 tile = centre + glm::dvec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
         const Box replica{glm::max(box.low, tile), glm::min(box.high, tile + 1.0)};
-        if (replica.isEmpty())
-            continue;
+        if (isWithoutVolume(replica) && !isWithoutVolume(box))
+            continue;  // it touches the window from outside
         const double away = scale.toBox(replica, p);
         const double distance = sectionDistance(part.solid, tile, p);
         const double extension = part.solid.extension;

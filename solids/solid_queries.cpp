@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Boxes that a search for the nearest place looks at.
-constexpr int kMostBoxes = 20000;
+constexpr int kMostBoxes = 100000;
 // Radii within which an uncertain contact looks for its place.
 constexpr double kFarAhead = 4.0;
 // Advances of a sphere.

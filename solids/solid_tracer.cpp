@@ -206,7 +206,13 @@ bool SolidTracer::contains(std::size_t index, const glm::dvec3& point) const {
         if (!(std::abs(place[axis]) < 0x1p51) || place[axis] < part.windowMinimum[axis] ||
             place[axis] > part.windowMaximum[axis])
             return false;
-    return solids::contains(part.solid, place);
+    if (part.solid.kind == SolidKind::Extrusion)
+        return solids::contains(part.solid, place);
+    glm::dvec3 tile = glm::floor(place);
+    for (int axis = 0; axis < 3; ++axis)
+        if (tile[axis] == part.windowMaximum[axis] && part.windowMinimum[axis] < tile[axis])
+            tile[axis] -= 1.0;
+    return sectionDistance(part.solid, tile, place) <= part.solid.extension;
 }
 
 bool SolidTracer::contains(const glm::dvec3& point) const {

@@ -71,7 +71,8 @@ class SolidTracer {
 
     /// Whether a point of the whole's space is inside, evaluated directly.
     [[nodiscard]] bool contains(const glm::dvec3& point) const;
-    /// Whether it is inside of part `index` by itself.
+    /// Whether it is inside of part `index` by itself. On the far border of a window it belongs to
+    /// the replica in the window.
     [[nodiscard]] bool contains(std::size_t index, const glm::dvec3& point) const;
 
     [[nodiscard]] const Compound& compound() const noexcept { return compound_; }
