@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relievo::solids {
 namespace {
@@ -13,6 +14,8 @@ using textures::wrapIndex;
 constexpr double kFloatRounding = 0x1p-23;
 // What computing a clearance in doubles may.
 constexpr double kDoubleRounding = 0x1p-48;
+constexpr double kSafety = 1.0 - 1e-12;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The largest difference between neighbours, in tile widths.
 double largestStep(const Plane& distance, textures::WrapMode wrap) {
@@ -57,6 +60,25 @@ double FreeSpace::radius(double distance, double low, double high) const noexcep
         square = std::max(square, term.factor * sure * sure - term.less);
     }
     return std::sqrt(square);
+}
+
+double FreeSpace::duration(double distance, double clear, double closing,
+                           double speed) const noexcept {
+    double longest = 0.0;
+    for (const ReachTerm& term : terms(distance)) {
+        const double sure = clear * texels_ - term.uncertainty;
+        const double rate = std::max(0.0, closing) * texels_;
+        const double square = term.factor * sure * sure - term.less;
+        if (!(sure > 0.0) || !(square > 0.0))
+            continue;
+        // The first root of factor·(sure − rate·t)² = (speed·t)² + less, without cancellation.
+        const double half = term.factor * rate * sure;
+        const double root =
+            std::sqrt(term.factor * rate * rate * term.less + speed * speed * square);
+        const double divisor = half + root;
+        longest = std::max(longest, divisor > 0.0 ? square / divisor : kInfinity);
+    }
+    return kSafety * longest;
 }
 
 }  // namespace relievo::solids

@@ -36,6 +36,12 @@ class FreeSpace {
     /// middle; 0 when that is in it. All in tile widths.
     [[nodiscard]] double radius(double distance, double low, double high) const noexcept;
 
+    /// How long d keeps clear of an offset that it is clear of by `clear` tile widths here, where d
+    /// is `distance`, and that comes nearer by `closing` per unit of a parameter (one that goes
+    /// away is taken to stay) while the place moves by `speed` ≥ 0 texels.
+    [[nodiscard]] double duration(double distance, double clear, double closing,
+                                  double speed) const noexcept;
+
     [[nodiscard]] bool isDistance() const noexcept { return isDistance_; }
     /// Of a tile width.
     [[nodiscard]] double texels() const noexcept { return texels_; }

@@ -48,6 +48,33 @@ TEST(FreeSpace, IsFree) {
         }
 }
 
+TEST(FreeSpace, DurationsKeepClearOfMovingOffsets) {
+    std::mt19937_64 random(20315);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const auto map = randomDiscs(16, 16, WrapMode::Repeat, random);
+    const FreeSpace space(*map, WrapMode::Repeat, true);
+    int broken = 0;
+    int overstepped = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const glm::dvec2 p(unit(random), unit(random));
+        const double angle = 6.283185307179586 * unit(random);
+        const double speed = 16.0 * unit(random);
+        const double closing = 2.0 * unit(random) - 0.5;
+        const double d = textures::sampleBilinear(map->distance, p.x, p.y, map->wrap);
+        const double offset = d - 0.2 * unit(random);
+        const double duration = space.duration(d, d - offset, closing, speed);
+        for (const double factor : {1.0, 2.0}) {
+            const double t = factor * std::min(duration, 10.0);
+            const glm::dvec2 q =
+                p + t * speed / 16.0 * glm::dvec2(std::cos(angle), std::sin(angle));
+            const double there = textures::sampleBilinear(map->distance, q.x, q.y, map->wrap);
+            (factor > 1.0 ? overstepped : broken) += there < offset + t * closing;
+        }
+    }
+    EXPECT_EQ(broken, 0);
+    EXPECT_GT(overstepped, 0);
+}
+
 TEST(FreeSpace, HoldsWithRoundedDistances) {
     std::mt19937_64 random(20312);
     for (const WrapMode wrap : kWraps) {
