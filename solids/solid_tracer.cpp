@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "solids/part_walk.h"
@@ -64,6 +65,8 @@ class CompoundWalk {
   public:
     CompoundWalk(const SolidTracer& tracer, const SolidRay& ray, TraceCost* cost)
         : compound_(tracer.compound()), isInside_(tracer.compound().parts.size(), 0) {
+        const double speed = glm::length(ray.direction);
+        originReach_ = speed > 0.0 ? glm::length(ray.origin) / speed : 0.0;
         walks_.reserve(compound_.parts.size());
         for (std::size_t k = 0; k < compound_.parts.size(); ++k) {
             walks_.emplace_back(compound_.parts[k], tracer.freeSpace(k), ray, tracer.options(),
@@ -77,27 +80,30 @@ class CompoundWalk {
         std::size_t part;
     };
 
-    // The first crossing of a part after which, all of that t being done, the whole is solid.
+    // The first crossing of a part after which the whole is solid, for longer than a rounding.
     std::optional<Event> findEntry() {
+        std::optional<Event> entry;
         while (const std::optional<double> t = nextPlace()) {
-            std::optional<Event> entry;
-            bool wasSolid = false;
+            if (entry && *t - entry->crossing.t > sliver(entry->crossing.t))
+                return entry;
             for (std::size_t k = 0; k < walks_.size(); ++k)
                 while (next_[k] && next_[k]->t == *t) {
+                    const bool wasSolid = entry.has_value();
                     isInside_[k] = next_[k]->enters ? 1 : 0;
-                    const bool isSolid = joined(compound_, isInside_);
-                    if (isSolid && !wasSolid)
+                    if (!joined(compound_, isInside_))
+                        entry.reset();
+                    else if (!wasSolid)
                         entry = Event{*next_[k], k};
-                    wasSolid = isSolid;
                     next_[k] = walks_[k].next();
                 }
-            if (wasSolid)
-                return entry;
         }
-        return std::nullopt;
+        return entry;
     }
 
   private:
+    // Faces of two parts that coincide are apart by a rounding if their matrices differ.
+    [[nodiscard]] double sliver(double t) const { return 0x1p-44 * (originReach_ + t); }
+
     [[nodiscard]] std::optional<double> nextPlace() const {
         std::optional<double> nearest;
         for (const std::optional<SolidCrossing>& crossing : next_)
@@ -107,6 +113,7 @@ class CompoundWalk {
     }
 
     const Compound& compound_;
+    double originReach_ = 0.0;  // in the parameter of the ray
     std::vector<PartWalk> walks_;
     std::vector<std::optional<SolidCrossing>> next_;
     std::vector<char> isInside_;
