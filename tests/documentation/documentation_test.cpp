@@ -64,7 +64,7 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 }
 
 TEST(Documentation, HasTheOptionsOfThePrograms) {
-    expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
+    expectSameOptions("relievo-bake", {"", "relief", "shape", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
     expectSameOptions("relievo-bench",
                       {"", "bake", "render", "scene", "search", "shadow", "sheet", "sparkle"});
