@@ -80,7 +80,7 @@ std::vector<std::string_view> filesOf(const SceneObject& object) {
 }
 std::vector<std::string_view> searchFilesOf(const SceneObject& object) {
     if (object.solid)
-        return object.solid->files();
+        return object.solid->searchFiles();
     if (!object.material)
         return {};
     return {object.material->technique().file};
@@ -107,7 +107,7 @@ GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
 
 GLuint bindSearch(gl::Program& program, const SceneObject& object) {
     if (object.solid)
-        return object.solid->bind(program.id());
+        return object.solid->bindSearch(program.id());
     return object.material ? object.material->bindSearch(program.id()) : 0;
 }
 
@@ -274,10 +274,15 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
     alone.shadowMap = nullptr;
     alone.skipHidden = false;
     drawObjects({&object, 1}, alone, target, [&](const SceneObject& drawn, int) -> gl::Program& {
+        // What is shaded on a solid does not change where it is.
         gl::Program& measured =
-            program(fragmentFilesOf(drawn).measured, filesOf(drawn), drawn, alone);
+            program(fragmentFilesOf(drawn).measured,
+                    drawn.solid ? searchFilesOf(drawn) : filesOf(drawn), drawn, alone);
         setLight(measured, alone);
-        bindMaterial(measured, drawn);
+        if (drawn.solid)
+            bindSearch(measured, drawn);
+        else
+            bindMaterial(measured, drawn);
         return measured;
     });
     return readMeasuredFrame(target);

@@ -57,6 +57,35 @@ void addProfileOptions(CLI::App& app, SolidOptions& options) {
         ->group("Shapes");
 }
 
+void addWallOptions(CLI::App& app, SolidOptions& options) {
+    app.add_option("--wall-relief", options.wallRelief,
+                   "Map file of a relief on the walls and caps, where the picture lies")
+        ->type_name("FILE")
+        ->group("Shapes");
+    app.add_option("--wall-technique", options.wallTechnique,
+                   "How it is searched; see --list. normal makes it a bump map")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->group("Shapes");
+    app.add_option("--wall-depth", options.wallDepth, "Its depth scale")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str()
+        ->group("Shapes");
+    app.add_option_function<std::vector<float>>(
+           "--wall-tiles",
+           [&options](const std::vector<float>& tiles) {
+               if (!(tiles[0] > 0.0f && tiles[1] > 0.0f))
+                   throw CLI::ValidationError("--wall-tiles", "expected two numbers above 0");
+               options.wallTiles = {tiles[0], tiles[1]};
+           },
+           "Repetitions of it in a tile of the picture")
+        ->expected(2)
+        ->delimiter(',')
+        ->type_name("X,Y")
+        ->default_str("1,1")
+        ->group("Shapes");
+}
+
 }  // namespace
 
 void addSolidOptions(CLI::App& app, SolidOptions& options) {
@@ -69,6 +98,7 @@ void addSolidOptions(CLI::App& app, SolidOptions& options) {
         ->default_str("extrusion")
         ->group("Shapes");
     addProfileOptions(app, options);
+    addWallOptions(app, options);
     app.add_option_function<std::vector<double>>(
            "--axis",
            [&options](const std::vector<double>& axis) {

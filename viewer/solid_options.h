@@ -1,8 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <string>
 
 #include "solids/solid.h"
 #include "solids/solid_texturing.h"
@@ -25,6 +27,10 @@ struct SolidOptions {
     glm::vec3 boxSize{0.0f};  ///< edges S of a shape box; 0: undistorted, the longest of 1
     bool hasFloor = true;     ///< of a solid sunk into a surface
     solids::SolidTexturing texturing = solids::SolidTexturing::Box;
+    std::filesystem::path wallRelief;     ///< a relief on walls and caps; "" without one
+    std::string wallTechnique = "exact";  ///< of the registry of reliefs; `normal`: a bump map
+    float wallDepth = 0.05f;              ///< its depth scale
+    glm::vec2 wallTiles{1.0f};            ///< of it in a tile of the shape's picture
 
     friend bool operator==(const SolidOptions&, const SolidOptions&) = default;
 };

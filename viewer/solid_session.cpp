@@ -4,6 +4,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "textures/file_extension.h"
+#include "textures/map_file.h"
 #include "viewer/texture_files.h"
 
 namespace relievo::viewer {
@@ -36,20 +37,17 @@ SolidSession::SolidSession(const ViewOptions& options, const materials::SolidTec
     const std::string file = options.files.front().string();
     stage_ = std::make_unique<SolidStage>(technique);
     if (isSceneFile(file))
-        openScene(file, technique);
+        openScene(file);
     else
-        openShape(options, technique);
+        openShape(options);
 }
 
-void SolidSession::openScene(const std::string& file, const materials::SolidTechnique& technique) {
-    static_cast<void>(technique);
+void SolidSession::openScene(const std::string& file) {
     scene_ = readSceneFile(file);
     stage_->add(*scene_);
 }
 
-void SolidSession::openShape(const ViewOptions& options,
-                             const materials::SolidTechnique& technique) {
-    static_cast<void>(technique);
+void SolidSession::openShape(const ViewOptions& options) {
     // A drawing goes on from tile to tile as the options ask for more than one.
     const bool isTiled = glm::any(glm::greaterThan(options.tiles, glm::vec2(1.0f)));
     shape_ = viewer::openShape(options.files.front().string(),
@@ -76,7 +74,16 @@ void SolidSession::openShape(const ViewOptions& options,
                                                : surfaces::makeQuad(options.tiles, aspect);
         material_ = &stage_->addSurface(std::move(compound), mesh, std::move(textures));
     }
+    if (!options.solid.wallRelief.empty())
+        openWallRelief(options);
     edit(options);
+}
+
+void SolidSession::openWallRelief(const ViewOptions& options) {
+    const std::filesystem::path& file = options.solid.wallRelief;
+    const auto maps =
+        std::make_shared<materials::ReliefMaps>(textures::readMapLevels(file), file.string());
+    material_->relief.emplace(maps, materials::findTechnique(options.solid.wallTechnique));
 }
 
 void SolidSession::edit(const ViewOptions& options) {
@@ -88,6 +95,9 @@ void SolidSession::edit(const ViewOptions& options) {
     material_->depthScale = options.depthScale;
     material_->hasFloor = options.solid.hasFloor;
     material_->looks.front().texturing = options.solid.texturing;
+    material_->reliefTiles = options.solid.wallTiles;
+    if (material_->relief)
+        material_->relief->depthScale = options.solid.wallDepth;
     material_->shadowsItself = options.shadow != kNoShadow || material_->isInBox();
 }
 

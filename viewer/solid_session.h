@@ -31,8 +31,9 @@ class SolidSession {
     [[nodiscard]] SolidStage& stage() noexcept { return *stage_; }
 
   private:
-    void openScene(const std::string& file, const materials::SolidTechnique& technique);
-    void openShape(const ViewOptions& options, const materials::SolidTechnique& technique);
+    void openScene(const std::string& file);
+    void openShape(const ViewOptions& options);
+    void openWallRelief(const ViewOptions& options);
     [[nodiscard]] FrameView viewOf(const ViewOptions& options, float aspect) const;
 
     std::optional<SceneFile> scene_;
