@@ -93,11 +93,9 @@ std::vector<shaders::Define> SolidMaterial::defines() const {
 
 GLuint SolidMaterial::bind(GLuint program, GLuint firstUnit) const {
     const GLuint unit = bindSearch(program, firstUnit);
-    if (!relief)
-        return unit;
-    glProgramUniform2fv(program, glGetUniformLocation(program, "relievoSolidReliefTiles"), 1,
-                        glm::value_ptr(reliefTiles));
-    return relief->bind(program, unit);
+    glProgramUniform2fv(program, glGetUniformLocation(program, "relievoSolidPictureTiles"), 1,
+                        glm::value_ptr(pictureTiles));
+    return relief ? relief->bind(program, unit) : unit;
 }
 
 GLuint SolidMaterial::bindSearch(GLuint program, GLuint firstUnit) const {

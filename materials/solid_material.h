@@ -70,7 +70,7 @@ class SolidMaterial {
     /// A relief on walls and caps, where the part's picture lies; with the technique `normal` a
     /// bump map. Its slopes, window and depth scale are its own; it casts no shadows.
     std::optional<ReliefMaterial> relief;
-    glm::vec2 reliefTiles{1.0f};  ///< of it in a tile of the picture, > 0
+    glm::vec2 pictureTiles{1.0f};  ///< of pictures and the relief, in a tile of the texturing, > 0
 
   private:
     const TechniqueParameter& find(std::string_view name, std::size_t& place) const;

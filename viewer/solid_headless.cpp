@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "commands/program.h"
 #include "gl/context.h"
@@ -12,6 +13,7 @@
 #include "textures/map_file.h"
 #include "viewer/contact_sheet.h"
 #include "viewer/solid_session.h"
+#include "viewer/temporal_error.h"
 #include "viewer/tessellation_count.h"
 
 namespace relievo::viewer {
@@ -36,10 +38,15 @@ void reportScene(const SceneFile& scene) {
                               triangles.boxes, triangles.drawn, triangles.tessellated));
 }
 
-Picture picture(const gl::Framebuffer& target) {
-    Picture result(target.width(), target.height());
-    result.rgba = target.read(0);
-    return result;
+// As many rays a pixel as options.rays allows, evenly spread along both sides.
+Picture render(SolidSession& session, const ViewOptions& options) {
+    const int factor = static_cast<int>(std::sqrt(static_cast<double>(options.rays)));
+    gl::Framebuffer target(factor * options.width, factor * options.height,
+                           std::array<GLenum, 1>{GL_RGBA8});
+    session.draw(options, target);
+    Picture picture(target.width(), target.height());
+    picture.rgba = target.read(0);
+    return averaged(picture, factor);
 }
 
 SheetCell renderOne(ViewOptions options, const std::string& name) {
@@ -50,8 +57,7 @@ SheetCell renderOne(ViewOptions options, const std::string& name) {
         reportScene(*session.scene());
     }
     session.edit(options);
-    gl::Framebuffer target(options.width, options.height, std::array<GLenum, 1>{GL_RGBA8});
-    session.draw(options, target);
+    const Picture picture = render(session, options);
     std::string counts;
     if (session.shape()) {
         const WorkCounts work = countWork(session.measure(options, options.width, options.height));
@@ -61,7 +67,7 @@ SheetCell renderOne(ViewOptions options, const std::string& name) {
             counts += fmt::format(", {} ran out", work.exhausted);
         commands::say(fmt::format("  {}: {}", technique.technique.title, counts));
     }
-    return {picture(target), std::string(technique.technique.title), counts};
+    return {picture, std::string(technique.technique.title), counts};
 }
 
 }  // namespace

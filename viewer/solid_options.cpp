@@ -72,13 +72,13 @@ void addWallOptions(CLI::App& app, SolidOptions& options) {
         ->capture_default_str()
         ->group("Shapes");
     app.add_option_function<std::vector<float>>(
-           "--wall-tiles",
+           "--picture-tiles",
            [&options](const std::vector<float>& tiles) {
                if (!(tiles[0] > 0.0f && tiles[1] > 0.0f))
-                   throw CLI::ValidationError("--wall-tiles", "expected two numbers above 0");
-               options.wallTiles = {tiles[0], tiles[1]};
+                   throw CLI::ValidationError("--picture-tiles", "expected two numbers above 0");
+               options.pictureTiles = {tiles[0], tiles[1]};
            },
-           "Repetitions of it in a tile of the picture")
+           "Repetitions of --albedo and --wall-relief in a tile of the texturing")
         ->expected(2)
         ->delimiter(',')
         ->type_name("X,Y")

@@ -30,7 +30,7 @@ struct SolidOptions {
     std::filesystem::path wallRelief;     ///< a relief on walls and caps; "" without one
     std::string wallTechnique = "exact";  ///< of the registry of reliefs; `normal`: a bump map
     float wallDepth = 0.05f;              ///< its depth scale
-    glm::vec2 wallTiles{1.0f};            ///< of it in a tile of the shape's picture
+    glm::vec2 pictureTiles{1.0f};  ///< of pictures and that relief, in a tile of the texturing
 
     friend bool operator==(const SolidOptions&, const SolidOptions&) = default;
 };

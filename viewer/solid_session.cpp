@@ -95,7 +95,7 @@ void SolidSession::edit(const ViewOptions& options) {
     material_->depthScale = options.depthScale;
     material_->hasFloor = options.solid.hasFloor;
     material_->looks.front().texturing = options.solid.texturing;
-    material_->reliefTiles = options.solid.wallTiles;
+    material_->pictureTiles = options.solid.pictureTiles;
     if (material_->relief)
         material_->relief->depthScale = options.solid.wallDepth;
     material_->shadowsItself = options.shadow != kNoShadow || material_->isInBox();

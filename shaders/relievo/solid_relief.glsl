@@ -6,22 +6,20 @@
 #include "relievo/material.glsl"
 #include "relievo/solid_material.glsl"
 
-uniform vec2 relievoSolidReliefTiles;  // of the relief in a tile of the picture
-
 struct SolidRelief {
     bool isFound;   // else the solid is bare there
     vec3 position;  // of the hit, in world space
     vec3 normal;
+    vec2 uv;        // of its picture
 };
 
 SolidRelief solidRelief(SolidTrace trace, SolidSurface solid, vec3 view) {
-    SolidRelief result = SolidRelief(false, trace.position, trace.normal);
+    SolidRelief result = SolidRelief(false, trace.position, trace.normal, solid.uv);
     // What of the gradients lies in the surface. Its dual basis are the tangents.
     vec3 gradientU = solid.gradientU - dot(solid.gradientU, trace.normal) * trace.normal;
     vec3 gradientV = solid.gradientV - dot(solid.gradientV, trace.normal) * trace.normal;
     ReliefSurface surface =
-        ReliefSurface(trace.position, trace.normal, relievoSolidReliefTiles.x * gradientU,
-                      relievoSolidReliefTiles.y * gradientV, relievoSolidReliefTiles * solid.uv);
+        ReliefSurface(trace.position, trace.normal, gradientU, gradientV, solid.uv);
     float area = length(cross(gradientU, gradientV));
     // Where the picture is drawn out to a line there is no place on it.
     if (area < 1e-3 * length(solid.gradientU) * length(solid.gradientV) || dot(trace.normal, view) > -1e-3)
@@ -31,9 +29,7 @@ SolidRelief solidRelief(SolidTrace trace, SolidSurface solid, vec3 view) {
     surface.tangent = tangent;
     surface.bitangent = bitangent;
     ReliefFragment relief =
-        traceRelief(surface, view,
-                    reliefFootprint(relievoSolidReliefTiles * solid.uvX, relievoSolidReliefTiles * solid.uvY,
-                                    reliefAspect()));
+        traceRelief(surface, view, reliefFootprint(solid.uvX, solid.uvY, reliefAspect()));
     if (relief.hit.outcome != RELIEVO_OUTCOME_HIT) return result;
-    return SolidRelief(true, relief.position, relief.normal);
+    return SolidRelief(true, relief.position, relief.normal, relief.hit.position.xy);
 }

@@ -55,6 +55,7 @@ void main() {
     SolidRelief relief = solidRelief(trace, surface, view);
     vec3 normal = relief.normal;
     trace.position = relief.position;
+    surface.uv = relief.uv;
     reliefSelectLevel(0);
 #else
     vec3 normal = trace.normal;
