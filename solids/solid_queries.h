@@ -16,8 +16,8 @@ namespace relievo::solids {
 struct WorldHit {
     double t = 0.0;
     glm::dvec3 position{0.0};  ///< in the world
-    glm::dvec3 normal{
-        0.0};      ///< of unit length, out of what is solid; 0 where the ray begins inside
+    /// Of unit length, out of what is solid; 0 where the ray begins inside.
+    glm::dvec3 normal{0.0};
     SolidHit hit;  ///< in the space of the whole
 };
 
