@@ -47,7 +47,8 @@ SolidTexturing solidTexturing(int part, vec3 place, vec3 covector) {
         vec3 out3 = vec3(across, inTile.z - 0.5);
         float radius = max(length(out3), 1e-6);
         float wide = max(length(across), 1e-6);
-        result.uv.y = 1.0 - acos(clamp(out3.z / radius, -1.0, 1.0)) / (0.5 * kSolidTurn);
+        // The arc cosine of z/radius, which is exact near the poles as well.
+        result.uv.y = 1.0 - atan(wide, out3.z) / (0.5 * kSolidTurn);
         result.gradientV =
             vec3(-out3.z * across / wide, wide) / (radius * radius * 0.5 * kSolidTurn);
     }
