@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -16,6 +17,15 @@ namespace {
 
 constexpr int kSide = 4;  // texels of a packet
 static_assert(kSide * kSide == kLanes);
+constexpr int kBlock = 32;  // texels of a block of packets that begin at the same nodes
+static_assert(kBlock % kSide == 0);
+
+// Where a search down the tree begins: at the root, or at nodes below which all is that counts.
+struct StartNodes {
+    static constexpr int kMost = 16;
+    std::array<std::uint32_t, kMost> nodes{0};
+    int count = 1;
+};
 
 // Places in texels from the origin, and what was found nearest to each.
 struct NearestPacket {
@@ -94,17 +104,78 @@ void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
         }
 }
 
-void measureRow(const BoundaryTree& tree, int j, BoundaryDistances& distances) {
-    std::int32_t seed = -1;
-    for (int i = 0; i < distances.distance.width; i += kSide) {
-        NearestPacket packet = packetAt(i, j);
-        if (seed >= 0)
-            RELIEVO_CALL_KERNEL(tryNearest, tree.segments[static_cast<std::size_t>(seed)], seed,
-                                packet);
-        RELIEVO_CALL_KERNEL(findNearestSegments, tree, packet);
-        seed = packet.segment[kLanes - 1];
-        store(tree, packet, i, j, distances);
+// A search of a packet that begins with a segment, as good as any when its number is −1.
+NearestPacket searched(const BoundaryTree& tree, const StartNodes& starts, int i, int j,
+                       std::int32_t seed) {
+    NearestPacket packet = packetAt(i, j);
+    if (seed >= 0)
+        RELIEVO_CALL_KERNEL(tryNearest, tree.segments[static_cast<std::size_t>(seed)], seed,
+                            packet);
+    RELIEVO_CALL_KERNEL(findNearestSegments, tree, starts, packet);
+    return packet;
+}
+
+// Squared distance between the block with its first texel at (left, top) and a box.
+float squareToBox(float left, float top, const BoundaryTree::Node& node) {
+    const float dx = std::max({node.left - (left + kBlock), left - node.right, 0.0f});
+    const float dy = std::max({node.top - (top + kBlock), top - node.bottom, 0.0f});
+    return dx * dx + dy * dy;
+}
+
+// The nodes that a place of the block may have its nearest segment below, of one level of the tree
+// as far down as there is room for.
+StartNodes startsOf(const BoundaryTree& tree, int i, int j, const NearestPacket& middle) {
+    float square = 0.0f;
+    for (int k = 0; k < kLanes; ++k)
+        square = std::max(square, middle.square[k]);
+    // Nothing in the block is further from the places of the packet in its middle than this.
+    const float reach = 1.001f * (std::sqrt(square) + 0.7072f * kBlock) + 0.01f;
+    const auto left = static_cast<float>(i);
+    const auto top = static_cast<float>(j);
+    const auto isNear = [&](std::uint32_t node) {
+        return squareToBox(left, top, tree.nodes[node]) <= reach * reach;
+    };
+    StartNodes starts;
+    for (bool goesOn = true; goesOn;) {
+        StartNodes below;
+        below.count = 0;
+        goesOn = false;
+        for (int k = 0; k < starts.count; ++k) {
+            const std::uint32_t number = starts.nodes[static_cast<std::size_t>(k)];
+            const BoundaryTree::Node& node = tree.nodes[number];
+            const bool isLeaf = node.count > 0;
+            goesOn = goesOn || !isLeaf;
+            for (const std::uint32_t next : {isLeaf ? number : node.first, number + 1})
+                if ((!isLeaf || next == number) && isNear(next)) {
+                    if (below.count == StartNodes::kMost)
+                        return starts;
+                    below.nodes[static_cast<std::size_t>(below.count++)] = next;
+                }
+        }
+        starts = below;
     }
+    return starts;
+}
+
+// A row of blocks, in rows of packets: memory is filled from its start to its end.
+void measureBand(const BoundaryTree& tree, int top, BoundaryDistances& distances) {
+    constexpr int kMiddle = (kBlock - kSide) / 2;
+    const int width = distances.distance.width;
+    const int bottom = std::min(top + kBlock, distances.distance.height);
+    std::vector<StartNodes> starts;
+    std::int32_t seed = -1;
+    for (int i = 0; i < width; i += kBlock) {
+        const NearestPacket middle = searched(tree, {}, i + kMiddle, top + kMiddle, seed);
+        seed = middle.segment[0];
+        starts.push_back(startsOf(tree, i, top, middle));
+    }
+    for (int j = top; j < bottom; j += kSide)
+        for (int i = 0; i < width; i += kSide) {
+            const NearestPacket packet =
+                searched(tree, starts[static_cast<std::size_t>(i / kBlock)], i, j, seed);
+            seed = packet.segment[kLanes - 1];
+            store(tree, packet, i, j, distances);
+        }
 }
 
 }  // namespace
@@ -116,9 +187,9 @@ BoundaryDistances measureBoundaryDistances(const BoundaryTree& tree, int width, 
                                 Plane(width, height), Plane(width, height)};
     if (tree.nodes.empty())
         return distances;
-    tbb::parallel_for(0, (height + kSide - 1) / kSide, [&](int row) {
-        measureRow(tree, row * kSide, distances);
-        const int rows = std::min(kSide, height - row * kSide);
+    tbb::parallel_for(0, (height + kBlock - 1) / kBlock, [&](int band) {
+        measureBand(tree, band * kBlock, distances);
+        const int rows = std::min(kBlock, height - band * kBlock);
         if (advance)
             advance(static_cast<std::size_t>(rows) * static_cast<std::size_t>(width));
     });
