@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <limits>
 
 #include "preprocess/lanes.h"
@@ -104,22 +105,37 @@ void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
         }
 }
 
-// A search of a packet that begins with a segment, as good as any when its number is −1.
+// A search of a packet that begins with some segments, as good as any where their number is −1.
 NearestPacket searched(const BoundaryTree& tree, const StartNodes& starts, int i, int j,
-                       std::int32_t seed) {
+                       std::initializer_list<std::int32_t> seeds) {
     NearestPacket packet = packetAt(i, j);
-    if (seed >= 0)
-        RELIEVO_CALL_KERNEL(tryNearest, tree.segments[static_cast<std::size_t>(seed)], seed,
-                            packet);
+    std::int32_t last = -1;
+    for (const std::int32_t seed : seeds)
+        if (seed >= 0 && seed != last) {
+            RELIEVO_CALL_KERNEL(tryNearest, tree.segments[static_cast<std::size_t>(seed)], seed,
+                                packet);
+            last = seed;
+        }
     RELIEVO_CALL_KERNEL(findNearestSegments, tree, starts, packet);
     return packet;
 }
 
-// Squared distance between the block with its first texel at (left, top) and a box.
-float squareToBox(float left, float top, const BoundaryTree::Node& node) {
-    const float dx = std::max({node.left - (left + kBlock), left - node.right, 0.0f});
-    const float dy = std::max({node.top - (top + kBlock), top - node.bottom, 0.0f});
+// Squared distance between a square with its first corner at (left, top) and a box.
+float squareToBox(float left, float top, float side, const BoundaryTree::Node& node) {
+    const float dx = std::max({node.left - (left + side), left - node.right, 0.0f});
+    const float dy = std::max({node.top - (top + side), top - node.bottom, 0.0f});
     return dx * dx + dy * dy;
+}
+
+float squareToPlace(float x, float y, const BoundaryTree::Node& node) {
+    return squareToBox(x, y, 0.0f, node);
+}
+
+// A stack is emptied from its end: the nearest is looked at first.
+template <typename IsFarther>
+StartNodes nearestLast(StartNodes starts, const IsFarther& isFarther) {
+    std::stable_sort(starts.nodes.begin(), starts.nodes.begin() + starts.count, isFarther);
+    return starts;
 }
 
 // The nodes that a place of the block may have its nearest segment below, of one level of the tree
@@ -133,7 +149,12 @@ StartNodes startsOf(const BoundaryTree& tree, int i, int j, const NearestPacket&
     const auto left = static_cast<float>(i);
     const auto top = static_cast<float>(j);
     const auto isNear = [&](std::uint32_t node) {
-        return squareToBox(left, top, tree.nodes[node]) <= reach * reach;
+        return squareToBox(left, top, kBlock, tree.nodes[node]) <= reach * reach;
+    };
+    const auto isFarther = [&](std::uint32_t a, std::uint32_t b) {
+        const float half = 0.5f * kBlock;
+        return squareToPlace(left + half, top + half, tree.nodes[a]) >
+               squareToPlace(left + half, top + half, tree.nodes[b]);
     };
     StartNodes starts;
     for (bool goesOn = true; goesOn;) {
@@ -148,13 +169,13 @@ StartNodes startsOf(const BoundaryTree& tree, int i, int j, const NearestPacket&
             for (const std::uint32_t next : {isLeaf ? number : node.first, number + 1})
                 if ((!isLeaf || next == number) && isNear(next)) {
                     if (below.count == StartNodes::kMost)
-                        return starts;
+                        return nearestLast(starts, isFarther);
                     below.nodes[static_cast<std::size_t>(below.count++)] = next;
                 }
         }
         starts = below;
     }
-    return starts;
+    return nearestLast(starts, isFarther);
 }
 
 // A row of blocks, in rows of packets: memory is filled from its start to its end.
@@ -165,15 +186,19 @@ void measureBand(const BoundaryTree& tree, int top, BoundaryDistances& distances
     std::vector<StartNodes> starts;
     std::int32_t seed = -1;
     for (int i = 0; i < width; i += kBlock) {
-        const NearestPacket middle = searched(tree, {}, i + kMiddle, top + kMiddle, seed);
+        const NearestPacket middle = searched(tree, {}, i + kMiddle, top + kMiddle, {seed});
         seed = middle.segment[0];
         starts.push_back(startsOf(tree, i, top, middle));
     }
+    // What was nearest to the last place of each packet of the row before.
+    std::vector<std::int32_t> above(static_cast<std::size_t>((width + kSide - 1) / kSide), -1);
     for (int j = top; j < bottom; j += kSide)
         for (int i = 0; i < width; i += kSide) {
-            const NearestPacket packet =
-                searched(tree, starts[static_cast<std::size_t>(i / kBlock)], i, j, seed);
-            seed = packet.segment[kLanes - 1];
+            std::int32_t& seedAbove = above[static_cast<std::size_t>(i / kSide)];
+            const StartNodes& from = starts[static_cast<std::size_t>(i / kBlock)];
+            const NearestPacket packet = searched(tree, from, i, j, {seed, seedAbove});
+            seed = packet.segment[kLanes - kSide / 2];
+            seedAbove = packet.segment[kLanes - 1];
             store(tree, packet, i, j, distances);
         }
 }
