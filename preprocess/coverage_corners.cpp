@@ -235,6 +235,12 @@ class Sharpener {
         isRemoved_.assign(count, false);
         isKept_.assign(count, false);
         corners_.assign(count, std::nullopt);
+        linesInto_.clear();
+        linesOn_.clear();
+        for (int k = 0; k < points.count(); ++k) {
+            linesInto_.push_back(points.line(k, -1));
+            linesOn_.push_back(points.line(k, 1));
+        }
         const int longest = std::min(kMostBetween, points.count() - 3);
         for (int between = 0; between <= longest; ++between)
             for (int k = 0; k < points.count(); ++k)
@@ -245,13 +251,13 @@ class Sharpener {
   private:
     // Between points `last` and `next`.
     void tryCorner(const ChainPoints& points, int last, int next) {
-        if (!points.exists(next) || !isFree(points, last, next))
+        const std::optional<Line>& before = linesInto_[index(points, last)];
+        const std::optional<Line>& onwards = linesOn_[index(points, next)];
+        if (!before || !onwards || glm::dot(before->along, onwards->along) > kLeastTurn ||
+            !points.exists(next) || !isFree(points, last, next))
             return;
-        const std::optional<Line> before = points.line(last, -1);
-        const std::optional<Line> after = before ? points.line(next, 1) : std::nullopt;
-        if (!after)
-            return;
-        const std::optional<Corner> corner = meet(*before, *after);
+        const std::optional<Corner> corner =
+            meet(*before, Line{points.place(next), onwards->along});
         if (!corner || !explains(*corner, points, last, next))
             return;
         flipBetween(*corner, points, last, next);
@@ -324,6 +330,8 @@ class Sharpener {
     const Plane& coverage_;
     TexelSides& sides_;
     // Of the points of the chain at hand.
+    std::vector<std::optional<Line>> linesInto_;  // from the points before
+    std::vector<std::optional<Line>> linesOn_;    // to the points behind
     std::vector<bool> isRemoved_;
     std::vector<bool> isKept_;
     std::vector<std::optional<glm::dvec2>> corners_;  // that follow them

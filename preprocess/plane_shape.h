@@ -17,8 +17,8 @@ struct PlaneShape {
     std::vector<BoundarySegment> edges;
     /// Where the shape ends: the edges without those that only cut it off at the border of the
     /// tile, with the inside to the right of the way from start to end as one looks at the picture.
-    /// Under repeat with those of the tiles around, as far as half a tile, among which are the
-    /// nearest to every point of the tile. Empty when the shape is, or fills everything.
+    /// Under repeat with those of the tiles around that are near, among which are the nearest to
+    /// every point of the tile. Empty when the shape is, or fills everything.
     std::vector<BoundarySegment> boundary;
 };
 

@@ -6,6 +6,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -68,7 +69,17 @@ Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan
 float towardsZero(double texels, int width) {
     const double length = texels / width;
     const auto rounded = static_cast<float>(length);
-    return rounded > length ? std::nextafter(rounded, 0.0f) : rounded;
+    // The float before one above 0 has the number before it.
+    return rounded > length ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) - 1)
+                            : rounded;
+}
+
+// The greatest result of work(range of texels, greatest so far).
+template <typename Work>
+double greatestOver(const Plane& plane, const Work& work) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, plane.texels.size(), kTexelsAtOnce), 0.0, work,
+        [](double a, double b) { return std::max(a, b); });
 }
 
 // From distances of either sign in texels to what of them is sure, in tile widths. Returns the most
@@ -84,9 +95,7 @@ double makeSure(Plane& distance) {
         }
         return most;
     };
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, distance.texels.size(), kTexelsAtOnce), 0.0, work,
-        [](double a, double b) { return std::max(a, b); });
+    return greatestOver(distance, work);
 }
 
 // Rounds distances to the format. Returns the most that it takes.
@@ -123,13 +132,16 @@ void setUnsigned(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
         std::ranges::fill(map.distance.texels, static_cast<float>(unlimited(shape)));
         return;
     }
-    double most = 0.0;
-    for (std::size_t t = 0; t < squares.texels.size(); ++t) {
-        const double texels = std::sqrt(static_cast<double>(squares.texels[t]));
-        map.distance.texels[t] = towardsZero(texels, shape.width);
-        most = std::max(most, texels / shape.width - static_cast<double>(map.distance.texels[t]));
-    }
-    map.slack = most;
+    const auto work = [&](const tbb::blocked_range<std::size_t>& range, double most) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            const double texels = std::sqrt(static_cast<double>(squares.texels[t]));
+            const float stored = towardsZero(texels, shape.width);
+            map.distance.texels[t] = stored;
+            most = std::max(most, texels / shape.width - static_cast<double>(stored));
+        }
+        return most;
+    };
+    map.slack = greatestOver(map.distance, work);
 }
 
 // How much of a texel is inside a straight outline at `distance` (texels, > 0 outside) from its
@@ -173,6 +185,12 @@ void orient(const Sampled& shape, ShapeMap& map) {
         });
 }
 
+Plane binaryShape(const Sampled& shape) {
+    Plane result(shape.width, shape.height);
+    std::ranges::copy(shape.inside, result.texels.begin());
+    return result;
+}
+
 std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segments) {
     std::vector<BoundarySegment> pieces;
     for (const auto& [start, end] : segments) {
@@ -193,6 +211,14 @@ ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
                  const std::function<void(std::size_t)>& advance) {
     if (shape.boundary.empty())
         return levelMap(shape, plan);
+    if (!plan.isSigned && plan.gradient != 0) {  // the form of the thesis has no outline
+        ShapeMap map;
+        map.shape = binaryShape(shape);
+        setUnsigned(shape, plan, map);
+        if (advance)
+            advance(map.shape.texels.size());
+        return map;
+    }
     BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(inPieces(shape.boundary)),
                                                        shape.width, shape.height, advance);
     ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};

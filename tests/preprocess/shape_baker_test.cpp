@@ -232,9 +232,7 @@ TEST(ShapeBaker, OutlinesThatLeaveAClampedTile) {
     for (int j = 0; j < 32; ++j)
         for (int i = 0; i < 40; ++i) {
             const double exact = signedDistance(square, centreOf(i, j));
-            const glm::dvec2 gradient(map.gradientX.at(i, j), map.gradientY.at(i, j));
-            const glm::dvec2 nearest = centreOf(i, j) - exact * gradient;
-            if (nearest.y < 31.5) {
+            if (std::abs(exact) < 32.0 - centreOf(i, j).y) {  // to what is left of the square
                 EXPECT_NEAR(40.0 * map.distance.at(i, j), exact, 0.1) << i << " " << j;
             }
         }
