@@ -60,9 +60,10 @@ SolidCursor solidCursorAt(int part, SolidPath path) {
     return cursor;
 }
 
-// On to the first place where the ray passes the part's surface.
+// On to the first place where the ray passes the part's surface. One that meets the window in a point does
+// not go in.
 void solidFirstCrossing(int part, SolidPath path, inout SolidCursor cursor) {
-    if (path.enter <= path.leave) {
+    if (path.enter < path.leave) {
         solidCross(part, path, cursor);
     } else {
         cursor.t = kReliefBoundless;
