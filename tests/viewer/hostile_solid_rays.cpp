@@ -88,6 +88,8 @@ HostileSolidRay drawRay(std::size_t regime, const glm::dvec3& low, const glm::dv
             break;
         case 3:
             direction.z = 0.0;
+            if (direction == glm::dvec3(0.0))
+                direction = drawAxis(random);
             break;
         case 4:
             direction = {0.0, 0.0, random() % 2 == 0 ? 1.0 : -1.0};

@@ -20,7 +20,7 @@ namespace {
 
 int frameSize() {
     const char* const size = std::getenv("RELIEVO_FRAME_SIZE");
-    return size == nullptr ? 16 : std::stoi(size);
+    return size == nullptr ? 12 : std::stoi(size);
 }
 
 struct Tally {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "hostile_solid_rays.h"
@@ -22,7 +23,7 @@ namespace {
 
 int rayCount() {
     const char* const size = std::getenv("RELIEVO_FRAME_SIZE");
-    const int side = size == nullptr ? 48 : 3 * std::stoi(size);
+    const int side = size == nullptr ? 36 : 3 * std::stoi(size);
     return side * side;
 }
 
@@ -53,7 +54,7 @@ materials::SolidMaterial materialOf(SolidStage& stage, const SolidCase& solid) {
                                       materials::findSolidTechnique("solid"));
     material.low = solid.low;
     material.high = solid.high;
-    material.hasFloor = false;
+    material.boxFromWhole = glm::dmat4(1.0);
     return material;
 }
 
@@ -128,6 +129,119 @@ TEST_F(SolidRays, HitFirstWhereTheSolidIs) {
     for (const auto& [regime, tally] : tallies) {
         fmt::print("| {} | {} | {} | {} |\n", regime, tally.rays, tally.wrong, tally.exhausted);
         EXPECT_EQ(tally.wrong, 0) << regime;
+    }
+}
+
+// Solids that there is nothing, or only a point, or all of; and numbers without sense.
+std::vector<SolidCase> absurdCases() {
+    std::vector<SolidCase> cases;
+    const auto add = [&](const char* name, float distance, solids::SolidKind kind, double size) {
+        auto shape = std::make_shared<textures::ShapeMap>();
+        for (textures::Plane* plane : {&shape->distance, &shape->gradientX, &shape->gradientY})
+            *plane = textures::Plane(7, 3, plane == &shape->distance ? distance : 0.0f);
+        solids::SolidPart part;
+        part.solid.shape = std::move(shape);
+        part.solid.kind = kind;
+        part.solid.profile = solids::makeProfile(0.0, size, 0.5);
+        part.solid.extension = size;
+        SolidCase result{name, {{part}}, true};
+        cases.push_back(result);
+    };
+    for (const solids::SolidKind kind :
+         {solids::SolidKind::Extrusion, solids::SolidKind::Revolution}) {
+        add("empty", 4.0f, kind, 0.0);
+        add("full", -4.0f, kind, 0.0);
+        add("on the surface everywhere", 0.0f, kind, 0.0);
+        add("huge", 1e30f, kind, 1e30);
+        add("tiny", 1e-38f, kind, -1e-30);
+    }
+    for (SolidCase& solid : std::vector<SolidCase>(cases)) {
+        solid.name += ", in a window without a volume";
+        solid.high = solid.compound.parts[0].windowMaximum = glm::dvec3(0.0);
+        cases.push_back(solid);
+    }
+    for (const auto& sound : {extrusionCases(), revolutionCases(), compoundCases()})
+        for (const SolidCase& solid : sound)
+            cases.push_back(around(solid));
+    return cases;
+}
+
+// Of a number that is none nothing is asked but an end.
+TEST_F(SolidRays, EndWhateverTheyAre) {
+    for (const SolidCase& solid : absurdCases()) {
+        materials::SolidMaterial material = materialOf(*stage_, solid);
+        material.setParameter("solid-steps", 500);
+        gl::Program& program = programOf(material);
+        const std::vector<HostileSolidRay> rays = absurdSolidRays();
+        const std::vector<MeasuredPixel> pixels = searchRays(material, program, rays);
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            const MeasuredPixel& pixel = pixels[k];
+            ASSERT_LE(pixel.steps, material.parameter("solid-steps")) << solid.name;
+            // Where squares of numbers are none any more, neither are normals.
+            const bool isNumber = isFinite(rays[k].origin) && isFinite(rays[k].direction) &&
+                                  glm::length(rays[k].origin) < 1e6f &&
+                                  glm::length(rays[k].direction) < 1e6f;
+            EXPECT_TRUE(!isNumber || isSound(pixel, material.parameter("solid-steps")))
+                << solid.name << ": t " << pixel.t << ", outcome " << pixel.outcome << ", ray "
+                << k;
+        }
+        for (const MeasuredPixel& pixel :
+             searchRays(material, program, hostileSolidRays(solid.low, solid.high, 1000)))
+            EXPECT_TRUE(isSound(pixel, material.parameter("solid-steps"))) << solid.name;
+    }
+}
+
+struct WrongVariant {
+    const char* name;
+    solids::SolidKind kind;
+    const char* right;
+    const char* wrong;
+};
+
+constexpr WrongVariant kWrongVariants[] = {
+    {"steps half as far again as is safe", solids::SolidKind::Extrusion,
+     "const float kSolidShort = 1.0 - 1e-5;", "const float kSolidShort = 1.5;"},
+    {"steps as far as true distances would allow", solids::SolidKind::Extrusion,
+     "float straight = gap / max(1.41421356 * speed + closing, 1e-30);",
+     "return gap / max(speed + closing, 1e-30); float straight;"},
+    {"chamfers that do not come nearer", solids::SolidKind::Extrusion,
+     "float closing = max(solidPieces[index].chords[way], 0.0) * abs(dz);", "float closing = 0.0;"},
+    {"spheres half as large again as is safe", solids::SolidKind::Revolution,
+     "const float kSolidShort = 1.0 - 1e-5;", "const float kSolidShort = 1.5;"},
+    {"steps over the borders of replicas", solids::SolidKind::Revolution, "if (clear < tileExit) {",
+     "if (clear < path.leave) {"},
+    {"straight lines for parabolas", solids::SolidKind::Revolution,
+     "return max(2.0 * value / max(parabola, 1e-30), value / max(slopes.z, 1e-30));",
+     "return value / max(-slopes.x, 1e-6);"},
+};
+
+gl::Program wrongProgram(const materials::SolidMaterial& material, const WrongVariant& variant) {
+    return solidRayProgram(material, [&](std::string text) {
+        const std::size_t place = text.find(variant.right);
+        EXPECT_NE(place, std::string::npos) << variant.name;
+        if (place != std::string::npos)
+            text.replace(place, std::string(variant.right).size(), variant.wrong);
+        return text;
+    });
+}
+
+TEST_F(SolidRays, FindOutWrongSearches) {
+    for (const WrongVariant& variant : kWrongVariants) {
+        std::optional<gl::Program> program;
+        int wrong = 0;
+        const bool isRevolution = variant.kind == solids::SolidKind::Revolution;
+        for (const SolidCase& endless : isRevolution ? revolutionCases() : extrusionCases()) {
+            const SolidCase solid = around(endless);
+            const materials::SolidMaterial material = materialOf(*stage_, solid);
+            if (!program)
+                program = wrongProgram(material, variant);
+            const SolidRounding rounding(solid.compound);
+            for (const MeasuredPixel& pixel :
+                 searchRays(material, *program, hostileSolidRays(solid.low, solid.high, 900)))
+                wrong += pixel.end >= 0.0f && !rounding.judge(pixel).isRight ? 1 : 0;
+        }
+        fmt::print("{}: {} wrong\n", variant.name, wrong);
+        EXPECT_GT(wrong, 9) << variant.name;
     }
 }
 

@@ -158,6 +158,18 @@ ShapePointer sampleShape(std::string_view name, const ShapeBaking& baking) {
     return shape;
 }
 
+reference::PlaneOutline sampleOutline(std::string_view name) {
+    std::vector<reference::OutlineContour> contours;
+    outlines::FillRule rule = outlines::FillRule::NonZero;
+    for (const outlines::Outline& shape : drawing(name).shapes) {
+        contours.insert(contours.end(), shape.contours.begin(), shape.contours.end());
+        rule = shape.rule;
+    }
+    return reference::PlaneOutline(contours, rule == outlines::FillRule::NonZero
+                                                 ? reference::Filling::NonZero
+                                                 : reference::Filling::EvenOdd);
+}
+
 std::vector<SolidCase> extrusionCases() {
     std::vector<SolidCase> cases;
     const ShapePointer star = sampleShape("star");
@@ -249,19 +261,22 @@ std::vector<SolidCase> compoundCases() {
                           {roundStar, joined(roundStar, BooleanOperation::Intersection, askew)}));
     cases.push_back(boxed("drum less star askew",
                           {drum, joined(roundStar, BooleanOperation::Difference, askew)}));
-    cases.push_back(boxed("ball less star across",
-                          {ball, joined(roundStar, BooleanOperation::Difference, upright)}));
     cases.push_back(
         boxed("drum less ring askew", {drum, joined(ring, BooleanOperation::Difference, askew)}));
-    cases.push_back(boxed("ball with drum less ring",
+    cases.push_back(boxed("star across with ball",
+                          {joined(roundStar, BooleanOperation::Union, upright),
+                           joined(ball, BooleanOperation::Intersection, glm::dmat4(1.0))}));
+    // The star twice as small, in a corner.
+    const glm::dmat4 doubled =
+        glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5)), glm::dvec3(2.0));
+    cases.push_back(boxed("ball with drum less ring, and star",
                           {ball, joined(drum, BooleanOperation::Intersection, upright),
-                           joined(ring, BooleanOperation::Difference, askew)}));
-    cases.push_back(boxed(
-        "drum less ring less star and ball",
-        {drum, joined(ring, BooleanOperation::Difference, glm::dmat4(1.0)),
-         joined(roundStar, BooleanOperation::Difference, upright),
-         joined(ball, BooleanOperation::Union,
-                glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5)), glm::dvec3(2.0)))}));
+                           joined(ring, BooleanOperation::Difference, askew),
+                           joined(roundStar, BooleanOperation::Union, doubled)}));
+    cases.push_back(boxed("ball less drum less ring less star",
+                          {ball, joined(drum, BooleanOperation::Difference, upright),
+                           joined(ring, BooleanOperation::Difference, glm::dmat4(1.0)),
+                           joined(roundStar, BooleanOperation::Difference, askew)}));
     return cases;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/plane_outline.h"
 #include "solids/solid.h"
 #include "textures/shape_map.h"
 #include "textures/storage_format.h"
@@ -26,6 +27,9 @@ struct ShapeBaking {
 /// height follows), or "noise": texels that are inside or not at random. Baked once for each
 /// baking.
 ShapePointer sampleShape(std::string_view name, const ShapeBaking& baking = {});
+
+/// The outline that such a shape has, unless it is "noise", in tile widths.
+reference::PlaneOutline sampleOutline(std::string_view name);
 
 /// A solid, and how it is looked at: from the surface that it is sunk into, or in its box.
 struct SolidCase {
