@@ -9,6 +9,8 @@
 namespace relievo::preprocess {
 
 /// A shape that fills a part of a map's tile and goes on outside as the wrap mode says. In texels.
+/// Segments follow each other in their paths and have the inside where
+/// cross(end − start, place − start) > 0.
 struct PlaneShape {
     /// Closed: what a line crosses an odd number of times from outside to a point of the tile when
     /// the point is inside.

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <glm/vec2.hpp>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,9 +28,11 @@ namespace {
 using textures::Plane;
 using textures::ShapeMap;
 
-// What measureBoundaryDistances may be off: of the distance, and in texels.
-constexpr double kRelativeError = 0x1p-22;
-constexpr double kAbsoluteError = 1e-6;
+// Segments are measured in pieces of so many texels: the nearest is chosen in floats, which are off
+// by what they are of the distance to the ends of a piece.
+constexpr double kLongestPiece = 64.0;
+constexpr double kRelativeError = 0x1p-21;
+constexpr double kAbsoluteError = 1e-6;  // texels
 
 constexpr std::size_t kTexelsAtOnce = 1 << 16;
 
@@ -74,7 +77,7 @@ double makeSure(Plane& distance) {
     const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
         for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
             const double measured = std::abs(static_cast<double>(distance.texels[t]));
-            const double off = kRelativeError * measured + kAbsoluteError;
+            const double off = kRelativeError * (measured + kLongestPiece) + kAbsoluteError;
             const float sure = towardsZero(std::max(measured - off, 0.0), distance.width);
             most = std::max(most, (measured + off) / distance.width - static_cast<double>(sure));
             distance.texels[t] = std::copysign(sure, distance.texels[t]);
@@ -170,11 +173,27 @@ void orient(const Sampled& shape, ShapeMap& map) {
         });
 }
 
+std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segments) {
+    std::vector<BoundarySegment> pieces;
+    for (const auto& [start, end] : segments) {
+        const int count =
+            1 + static_cast<int>(std::floor(glm::distance(start, end) / kLongestPiece));
+        glm::dvec2 last = start;
+        for (int k = 1; k < count; ++k) {
+            const glm::dvec2 next = glm::mix(start, end, static_cast<double>(k) / count);
+            pieces.push_back({last, next});
+            last = next;
+        }
+        pieces.push_back({last, end});
+    }
+    return pieces;
+}
+
 ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
                  const std::function<void(std::size_t)>& advance) {
     if (shape.boundary.empty())
         return levelMap(shape, plan);
-    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(shape.boundary),
+    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(inPieces(shape.boundary)),
                                                        shape.width, shape.height, advance);
     ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};
     orient(shape, map);
