@@ -12,7 +12,7 @@ namespace {
 
 constexpr TechniqueParameter kSolidParameters[] = {
     {"solid-steps", "relievoSolidSteps", "cells that a ray may look at before it gives up", 1,
-     65536, 4096, true, true},
+     65536, 16384, true, true},
 };
 
 constexpr SolidTechnique kTechniques[] = {
