@@ -5,6 +5,7 @@
 
 #include "textures/file_extension.h"
 #include "textures/map_file.h"
+#include "viewer/carrier_mesh.h"
 #include "viewer/texture_files.h"
 
 namespace relievo::viewer {
@@ -18,6 +19,19 @@ glm::dmat4 boxFromTiles(const glm::dvec3& size, const glm::dvec3& tiles) {
     for (int axis = 0; axis < 3; ++axis)
         perTile[axis][axis] = 1.0 / tiles[axis];
     return wholeToLocal(size) * perTile;
+}
+
+// The solid goes as far as its carrier does.
+solids::Compound compoundFor(const ViewOptions& options,
+                             const std::shared_ptr<const textures::ShapeMap>& shape) {
+    solids::Compound compound = compoundOf(options.solid, shape, options.tiles);
+    if (isWithoutBorders(options.object))
+        for (solids::SolidPart& part : compound.parts) {
+            const glm::dvec4 window(carrierWindow(options));
+            part.windowMinimum = {window.x, window.y, part.windowMinimum.z};
+            part.windowMaximum = {window.z, window.w, part.windowMaximum.z};
+        }
+    return compound;
 }
 
 }  // namespace
@@ -48,8 +62,9 @@ void SolidSession::openScene(const std::string& file) {
 }
 
 void SolidSession::openShape(const ViewOptions& options) {
-    // A drawing goes on from tile to tile as the options ask for more than one.
-    const bool isTiled = glm::any(glm::greaterThan(options.tiles, glm::vec2(1.0f)));
+    // A drawing goes on from tile to tile where there are more than one.
+    const bool isTiled = isWithoutBorders(options.object) ||
+                         glm::any(glm::greaterThan(options.tiles, glm::vec2(1.0f)));
     shape_ = viewer::openShape(options.files.front().string(),
                                isTiled && options.solid.kind == solids::SolidKind::Extrusion
                                    ? textures::WrapMode::Repeat
@@ -58,7 +73,7 @@ void SolidSession::openShape(const ViewOptions& options) {
     materials::TextureSet textures;
     if (albedo != options.textures.end())
         textures = readTextureSet({{"albedo", albedo->second}}, false, {}, albedo->second.string());
-    solids::Compound compound = compoundOf(options.solid, shape_, options.tiles);
+    solids::Compound compound = compoundFor(options, shape_);
     if (options.object == ObjectKind::ShapeBox) {
         const glm::dvec3 high = compound.parts.front().windowMaximum;
         const glm::dvec3 size =
@@ -69,10 +84,8 @@ void SolidSession::openShape(const ViewOptions& options) {
         const float aspect = options.solid.kind == solids::SolidKind::Revolution
                                  ? 1.0f
                                  : static_cast<float>(shape_->aspect());
-        const surfaces::SurfaceMesh mesh = options.object == ObjectKind::Box
-                                               ? surfaces::makeBox(options.tiles)
-                                               : surfaces::makeQuad(options.tiles, aspect);
-        material_ = &stage_->addSurface(std::move(compound), mesh, std::move(textures));
+        material_ = &stage_->addSurface(std::move(compound), makeCarrier(options, aspect),
+                                        std::move(textures));
     }
     if (!options.solid.wallRelief.empty())
         openWallRelief(options);
@@ -91,7 +104,7 @@ void SolidSession::edit(const ViewOptions& options) {
         stage_->setParameter(setting.name, setting.value);
     if (!material_)
         return;
-    material_->compound = compoundOf(options.solid, shape_, options.tiles);
+    material_->compound = compoundFor(options, shape_);
     material_->depthScale = options.depthScale;
     material_->hasFloor = options.solid.hasFloor;
     material_->looks.front().texturing = options.solid.texturing;

@@ -62,15 +62,29 @@ ParameterSetting parseSetting(const std::string& text) {
     return setting;
 }
 
+void setObject(ViewOptions& options, const std::string& name) {
+    static const std::map<std::string, ObjectKind> kObjects = {{"quad", ObjectKind::Quad},
+                                                               {"box", ObjectKind::Box},
+                                                               {"sphere", ObjectKind::Sphere},
+                                                               {"torus", ObjectKind::Torus},
+                                                               {"shape-box", ObjectKind::ShapeBox}};
+    const auto known = kObjects.find(name);
+    if (known == kObjects.end() && !std::filesystem::exists(name))
+        throw CLI::ValidationError(
+            "--mesh", fmt::format("there is no file {}, expected one or quad, box, sphere, torus "
+                                  "or shape-box",
+                                  name));
+    options.object = known == kObjects.end() ? ObjectKind::File : known->second;
+    options.meshFile = known == kObjects.end() ? std::filesystem::path(name) : "";
+}
+
 void addSceneOptions(CLI::App& app, ViewOptions& options) {
-    app.add_option(
-           "--mesh", options.object,
-           "Object that carries the relief or the solid: quad or box; or shape-box, the box "
-           "that a whole solid is in")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, ObjectKind>{{"quad", ObjectKind::Quad},
-                                              {"box", ObjectKind::Box},
-                                              {"shape-box", ObjectKind::ShapeBox}}))
+    app.add_option_function<std::string>(
+           "--mesh", [&options](const std::string& name) { setObject(options, name); },
+           "Object that carries the relief or the solid: quad, box, sphere, torus, or a mesh file "
+           "with texture coordinates (OBJ, PLY, glTF, ...); or shape-box, the box that a whole "
+           "solid is in")
+        ->type_name("FILE|quad|box|sphere|torus|shape-box")
         ->default_str("quad");
     app.add_option("--depth-scale", options.depthScale,
                    "Depth of the relief in tile widths; 0 is flat")
@@ -374,7 +388,7 @@ void checkViewOptions(const ViewOptions& options) {
         return;
     checkOutputOptions(options);
     if (options.object == ObjectKind::ShapeBox)
-        throw UsageError("--mesh shape-box is that of shapes, expected quad or box for a relief");
+        throw UsageError("--mesh shape-box is that of shapes, expected another for a relief");
     checkTechniques(options);
     if (options.shadow != kNoShadow)
         materials::findShadowMethod(options.shadow);

@@ -27,8 +27,9 @@ inline constexpr const char* kNoShadow = "none";
 /// The most that --rays takes.
 inline constexpr int kMostRays = 64;
 
-/// The object that carries the relief or the solid; ShapeBox: the box that a whole solid is in.
-enum class ObjectKind { Quad, Box, ShapeBox };
+/// The object that carries the relief or the solid; File: a mesh that is read; ShapeBox: the box
+/// that a whole solid is in.
+enum class ObjectKind { Quad, Box, Sphere, Torus, File, ShapeBox };
 
 /// A value for a technique's parameter: "NAME=VALUE" for all techniques that have it, or
 /// "TECHNIQUE.NAME=VALUE".
@@ -46,7 +47,8 @@ struct ViewOptions {
     std::vector<std::string> techniques;  ///< of the registry, or "reference"
     std::vector<ParameterSetting> parameters;
     ObjectKind object = ObjectKind::Quad;
-    SolidOptions solid;  ///< of a shape
+    std::filesystem::path meshFile;  ///< of ObjectKind::File; stays when another object is chosen
+    SolidOptions solid;              ///< of a shape
     float depthScale = 0.1f;
     glm::vec2 tiles{1.0f};
     OrbitCamera camera;
