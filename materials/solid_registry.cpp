@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string>
 #include <vector>
 
 #include "textures/input_error.h"
@@ -25,7 +26,7 @@ constexpr TechniqueParameter kTolerance{
     "texels in front of the surface at which a search counts as having come to it",
     0,
     1,
-    0.1,
+    0.01,
     false,
     false};
 constexpr TechniqueParameter kHalvings{"binary-steps",
@@ -125,17 +126,18 @@ std::string_view wordsFor(ShownProfiles shown) {
     return "all profiles";
 }
 
-void requireShown(const SolidTechnique& technique, const solids::Solid& solid) {
+std::string solidProblem(const SolidTechnique& technique, const solids::Solid& solid) {
     const SolidCapabilities& can = technique.capabilities;
     const std::string_view name = technique.technique.name;
     const bool isRevolution = solid.kind == solids::SolidKind::Revolution;
     if (isRevolution ? !can.revolution : !can.extrusion)
-        throw textures::InputError(fmt::format("the search \"{}\" shows {} only, not {}", name,
-                                               isRevolution ? "extrusions" : "revolutions",
-                                               isRevolution ? "revolutions" : "extrusions"));
+        return fmt::format("the search \"{}\" shows {} only, not {}", name,
+                           isRevolution ? "extrusions" : "revolutions",
+                           isRevolution ? "revolutions" : "extrusions");
     if (!isRevolution && !isShown(can.profiles, solid.profile))
-        throw textures::InputError(fmt::format("the search \"{}\" shows {} only, not this profile",
-                                               name, wordsFor(can.profiles)));
+        return fmt::format("the search \"{}\" shows {} only, not this profile", name,
+                           wordsFor(can.profiles));
+    return "";
 }
 
 }  // namespace
@@ -155,12 +157,19 @@ const SolidTechnique& findSolidTechnique(std::string_view name) {
                                            fmt::join(names, ", ")));
 }
 
-void requireShown(const SolidTechnique& technique, const solids::Compound& compound) {
+std::string solidProblem(const SolidTechnique& technique, const solids::Compound& compound) {
     if (compound.parts.size() > 1 && !technique.capabilities.compounds)
-        throw textures::InputError(fmt::format("the search \"{}\" shows a single part, not {}",
-                                               technique.technique.name, compound.parts.size()));
+        return fmt::format("the search \"{}\" shows a single part, not {}",
+                           technique.technique.name, compound.parts.size());
     for (const solids::SolidPart& part : compound.parts)
-        requireShown(technique, part.solid);
+        if (const std::string problem = solidProblem(technique, part.solid); !problem.empty())
+            return problem;
+    return "";
+}
+
+void requireShown(const SolidTechnique& technique, const solids::Compound& compound) {
+    if (const std::string problem = solidProblem(technique, compound); !problem.empty())
+        throw textures::InputError(problem);
 }
 
 }  // namespace relievo::materials

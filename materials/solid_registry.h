@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "materials/technique_registry.h"
@@ -37,8 +38,10 @@ std::span<const SolidTechnique> solidTechniques();
 /// The one of that name. Throws textures::InputError, listing the names.
 const SolidTechnique& findSolidTechnique(std::string_view name);
 
-/// Throws textures::InputError, which says what it cannot show, when `technique` does not show such
-/// a solid.
+/// What keeps `technique` from showing such a solid, as a sentence; "" when it shows it.
+std::string solidProblem(const SolidTechnique& technique, const solids::Compound& compound);
+
+/// Throws textures::InputError with solidProblem, unless that is "".
 void requireShown(const SolidTechnique& technique, const solids::Compound& compound);
 
 }  // namespace relievo::materials
