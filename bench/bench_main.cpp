@@ -4,6 +4,7 @@
 #include "bench/search_command.h"
 #include "bench/shadow_command.h"
 #include "bench/sheet_command.h"
+#include "bench/solid_command.h"
 #include "bench/sparkle_command.h"
 #include "commands/program.h"
 
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
     relievo::bench::SearchCommand search(app);
     relievo::bench::ShadowCommand shadow(app);
     relievo::bench::SheetCommand sheet(app);
+    relievo::bench::SolidCommand solid(app);
     relievo::bench::SparkleCommand sparkle(app);
     return relievo::commands::runProgram(app, argc, argv, [&] {
         if (bake.chosen())
@@ -30,6 +32,8 @@ int main(int argc, char** argv) {
             shadow.run();
         if (sheet.chosen())
             sheet.run();
+        if (solid.chosen())
+            solid.run();
         if (sparkle.chosen())
             sparkle.run();
     });

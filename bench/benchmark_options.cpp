@@ -43,6 +43,16 @@ void addBackendOption(CLI::App& command, gl::Backend& backend) {
                         .description(""));
 }
 
+void addPlotAgainstOption(CLI::App& command, PlotAgainst& against) {
+    command.add_option("--plot-against", against, "Plot errors against time or fetches")
+        ->type_name("NAME")
+        ->default_str("time")
+        ->transform(CLI::CheckedTransformer(
+                        std::map<std::string, PlotAgainst>{{"time", PlotAgainst::Time},
+                                                           {"fetches", PlotAgainst::Fetches}})
+                        .description(""));
+}
+
 void addReportOptions(CLI::App& command, ReportPaths& paths) {
     command.add_option("--json", paths.json, "Write the report to this file as JSON")
         ->type_name("FILE");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/render_benchmark.h"
 #include "bench/report_files.h"
 #include "gl/context.h"
 
@@ -22,6 +23,9 @@ void addRepeatOption(CLI::App& command, int& repeat);
 
 /// Adds `--backend`.
 void addBackendOption(CLI::App& command, gl::Backend& backend);
+
+/// Adds `--plot-against`.
+void addPlotAgainstOption(CLI::App& command, PlotAgainst& against);
 
 /// Adds `--json`, `--markdown` and `--plot`.
 void addReportOptions(CLI::App& command, ReportPaths& paths);

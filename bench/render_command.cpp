@@ -1,6 +1,5 @@
 #include "bench/render_command.h"
 
-#include <map>
 #include <utility>
 
 #include "bench/benchmark_options.h"
@@ -37,13 +36,7 @@ RenderCommand::RenderCommand(CLI::App& app)
     viewer::addNormalsOption(*command_, options_.normals, "derivative");
     addRepeatOption(*command_, options_.repeat);
     addBackendOption(*command_, options_.backend);
-    command_->add_option("--plot-against", plotAgainst_, "Plot errors against time or fetches")
-        ->type_name("NAME")
-        ->default_str("time")
-        ->transform(CLI::CheckedTransformer(
-                        std::map<std::string, PlotAgainst>{{"time", PlotAgainst::Time},
-                                                           {"fetches", PlotAgainst::Fetches}})
-                        .description(""));
+    addPlotAgainstOption(*command_, plotAgainst_);
     addReportOptions(*command_, paths_);
     command_->footer(
         "Examples:\n"

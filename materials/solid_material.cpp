@@ -13,29 +13,14 @@
 #include "textures/input_error.h"
 
 namespace relievo::materials {
-namespace {
-
-void requireCapable(const solids::Compound& compound, const SolidTechnique& technique) {
-    const SolidCapabilities& can = technique.capabilities;
-    if (compound.parts.size() > 1 && !can.compounds)
-        throw textures::InputError(fmt::format("{} shows a single part, not {}",
-                                               technique.technique.title, compound.parts.size()));
-    for (const solids::SolidPart& part : compound.parts) {
-        const bool isRevolution = part.solid.kind == solids::SolidKind::Revolution;
-        if (isRevolution ? !can.revolution : !can.extrusion)
-            throw textures::InputError(fmt::format("{} shows no {}", technique.technique.title,
-                                                   isRevolution ? "revolutions" : "extrusions"));
-        if (!part.solid.shape)
-            throw textures::InputError("a part of a solid has no shape");
-    }
-}
-
-}  // namespace
 
 SolidMaterial::SolidMaterial(std::shared_ptr<ShapeTextureCache> shapes, solids::Compound parts,
                              const SolidTechnique& technique)
     : compound(std::move(parts)), shapes_(std::move(shapes)), technique_(&technique) {
-    requireCapable(compound, technique);
+    requireShown(technique, compound);
+    for (const solids::SolidPart& part : compound.parts)
+        if (!part.solid.shape)
+            throw textures::InputError("a part of a solid has no shape");
     looks.resize(compound.parts.size());
     static_cast<void>(solidBlock(compound, looks));
     for (const TechniqueParameter& parameter : technique.technique.parameters)
@@ -99,6 +84,7 @@ GLuint SolidMaterial::bind(GLuint program, GLuint firstUnit) const {
 }
 
 GLuint SolidMaterial::bindSearch(GLuint program, GLuint firstUnit) const {
+    requireShown(*technique_, compound);  // it may have been edited
     GLuint unit = firstUnit;
     // OpenGL ignores what is set at the location −1.
     const auto locate = [program](const std::string& uniform) {

@@ -29,7 +29,7 @@ namespace relievo::materials {
 class SolidMaterial {
   public:
     /// Shapes are uploaded to `shapes` when the solid is first drawn. Throws textures::InputError
-    /// when there are no parts, too many, or of a kind that the search does not know.
+    /// when there are no parts, too many, or of a kind or profile that the search does not show.
     SolidMaterial(std::shared_ptr<ShapeTextureCache> shapes, solids::Compound parts,
                   const SolidTechnique& technique);
 
@@ -46,7 +46,7 @@ class SolidMaterial {
     [[nodiscard]] std::vector<std::string_view> searchFiles() const;
     /// Binds the maps to texture units from `firstUnit`, the numbers to the uniform block, and sets
     /// the uniforms of `program`; of those of the solid it may lack any. Returns the first unit
-    /// that stays free. Throws textures::InputError as solidBlock does.
+    /// that stays free. Throws textures::InputError as solidBlock and requireShown do.
     GLuint bind(GLuint program, GLuint firstUnit = 0) const;
     /// The same for a program that only searches.
     GLuint bindSearch(GLuint program, GLuint firstUnit = 0) const;

@@ -92,6 +92,15 @@ void solidNarrowToBox(vec3 origin, vec3 direction, inout vec2 stretch, inout vec
     side = path.enterNormal;
 }
 
+// Whether a pixel shows what its search has come to: a hit, and where the printed searches run out of steps
+// as well (solid/printed.glsl).
+bool solidIsShown(SolidTrace trace) {
+#ifdef RELIEVO_SOLID_SHADES_EXHAUSTED
+    if (trace.hit.outcome == RELIEVO_OUTCOME_EXHAUSTED) return true;
+#endif
+    return trace.hit.outcome == RELIEVO_OUTCOME_HIT;
+}
+
 // Searches along `view` (unit length) from `nearest` in front of the frame's place (a t, negative before it).
 SolidTrace traceSolid(SolidFrame frame, vec3 view, float nearest) {
     SolidTrace result;
@@ -122,7 +131,7 @@ SolidTrace traceSolid(SolidFrame frame, vec3 view, float nearest) {
 #endif
     result.position = result.start + result.hit.t * view;
     result.normal = -view;
-    if (result.hit.outcome == RELIEVO_OUTCOME_HIT) {
+    if (solidIsShown(result)) {
         // Solid from the start: the side of the box or the surface; the eye is in it where there is none.
         vec3 covector = result.hit.t <= 0.0 ? side : solidCovector(result.hit);
         vec3 normal = covector * frame.toWhole;

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "materials/program_cache.h"
 #include "materials/shadow_registry.h"
+#include "materials/solid_registry.h"
 #include "materials/technique_registry.h"
 #include "tests/commands/process.h"
 
@@ -159,6 +162,99 @@ void main() {
                                                   findTechnique("exact").file, method.file, kMain),
                                       kEsHeader, kVariants[k])
                     .text);
+    const tests::ProcessResult result = compiler.run();
+    EXPECT_EQ(result.exitStatus, 0) << result.output;
+}
+
+// A solid as the search of a SolidMaterial may meet it.
+struct SolidVariant {
+    std::string name;
+    std::string_view file;
+    std::vector<shaders::Define> defines;
+};
+
+// Every search, in a box and in a surface, of one and of three parts, of all kinds that it shows.
+std::vector<SolidVariant> solidVariants() {
+    std::vector<SolidVariant> variants;
+    for (const SolidTechnique& technique : solidTechniques())
+        for (const bool isBox : {false, true})
+            for (const int parts :
+                 technique.capabilities.compounds ? std::vector{1, 3} : std::vector{1})
+                for (int kinds = 0; kinds < 1 << parts; ++kinds) {
+                    const bool hasRevolution = kinds != 0;
+                    const bool hasExtrusion = kinds != (1 << parts) - 1;
+                    if ((hasRevolution && !technique.capabilities.revolution) ||
+                        (hasExtrusion && !technique.capabilities.extrusion))
+                        continue;
+                    SolidVariant variant{
+                        fmt::format("{}-{}-{}-{}", technique.technique.name,
+                                    isBox ? "box" : "surface", parts, kinds),
+                        technique.technique.file,
+                        {{"RELIEVO_SOLID", "1"}, {"RELIEVO_SOLID_PARTS", std::to_string(parts)}}};
+                    for (int part = 0; part < parts; ++part)
+                        variant.defines.push_back({fmt::format("RELIEVO_SOLID_KIND{}", part),
+                                                   std::to_string(kinds >> part & 1)});
+                    if (isBox)
+                        variant.defines.push_back({"RELIEVO_SHAPE_BOX", "1"});
+                    variants.push_back(std::move(variant));
+                }
+    return variants;
+}
+
+// What a renderer may ask the programs of solids to define.
+const std::vector<std::vector<shaders::Define>> kSolidPrograms = {
+    {},
+    {{"RELIEVO_SOLID_SHADOW", "1"}, {"RELIEVO_MARK_EXHAUSTED", "1"}},
+    {{"RELIEVO_SOLID_SHADOW", "1"}, {"RELIEVO_SHADOW_MAP", "1"}, {"RELIEVO_ALBEDO_MAP", "1"}},
+    {{"RELIEVO_CLIP_ZERO_TO_ONE", "1"}, {"RELIEVO_DEPTH_REVERSED", "1"}}};
+
+TEST(GlslangTest, AcceptsEverySearchOfSolids) {
+    Glslang compiler;
+    for (const SolidVariant& variant : solidVariants())
+        for (const std::string fragment : {"solid_shaded", "solid_measured", "solid_depth"})
+            for (std::size_t k = 0; k < kSolidPrograms.size(); ++k) {
+                std::vector<shaders::Define> defines = variant.defines;
+                std::ranges::copy(kSolidPrograms[k], std::back_inserter(defines));
+                compiler.add(fmt::format("{}-{}-{}", variant.name, fragment, k),
+                             expandFragment("relievo/programs/" + fragment + ".frag",
+                                            {variant.file}, defines)
+                                 .text);
+            }
+    const tests::ProcessResult result = compiler.run();
+    EXPECT_EQ(result.exitStatus, 0) << result.output;
+}
+
+TEST(GlslangTest, AcceptsEverySearchOfSolidsInGlslEs) {
+    constexpr const char* kMain = R"glsl(
+#include "relievo/shading.glsl"
+#include "relievo/solid_material.glsl"
+uniform mat4 viewProjection;
+uniform ReliefSurface surface;
+uniform vec3 view;
+uniform vec3 toLight;
+out vec4 color;
+void main() {
+#ifdef RELIEVO_SHAPE_BOX
+    SolidTrace trace = traceSolid(surface.position, view, vec4(0.0, 0.0, 1.0, 1.0), viewProjection);
+#else
+    SolidTrace trace = traceSolid(surface, view);
+#endif
+    if (!solidIsShown(trace)) discard;
+    SolidSurface seen = solidSurface(trace, view, dFdx(surface.position), dFdy(surface.position),
+                                     dFdx(view), dFdy(view));
+    ReliefAppearance appearance = reliefAppearance(seen.uv, seen.uvX, seen.uvY, 1.0);
+    vec3 light = vec3(solidIsLit(trace, toLight) ? 1.0 : 0.0);
+    color = vec4(shadeRelief(appearance, trace.normal, toLight, -view, light), 1.0);
+    gl_FragDepth = solidWindowDepth(trace, viewProjection);
+}
+)glsl";
+    Glslang compiler;
+    for (const SolidVariant& variant : solidVariants())
+        compiler.add(variant.name,
+                     shaders::expandShader("fragment shader",
+                                           fmt::format("#include \"{}\"\n{}", variant.file, kMain),
+                                           kEsHeader, variant.defines)
+                         .text);
     const tests::ProcessResult result = compiler.run();
     EXPECT_EQ(result.exitStatus, 0) << result.output;
 }

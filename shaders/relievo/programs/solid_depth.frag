@@ -3,6 +3,6 @@
 
 void main() {
     SolidTrace trace = solidInput();
-    if (trace.hit.outcome != RELIEVO_OUTCOME_HIT) discard;
+    if (!solidIsShown(trace)) discard;
     gl_FragDepth = solidWindowDepth(trace, viewProjection);
 }

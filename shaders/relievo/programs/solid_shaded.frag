@@ -46,7 +46,7 @@ void main() {
         return;
     }
 #endif
-    if (trace.hit.outcome != RELIEVO_OUTCOME_HIT) discard;
+    if (!solidIsShown(trace)) discard;
     // From the fragment's place back to the beginning of the ray.
     float back = dot(trace.start - surfacePosition, view);
     SolidSurface surface =
