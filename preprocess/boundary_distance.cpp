@@ -112,8 +112,7 @@ NearestPacket searched(const BoundaryTree& tree, const StartNodes& starts, int i
     std::int32_t last = -1;
     for (const std::int32_t seed : seeds)
         if (seed >= 0 && seed != last) {
-            RELIEVO_CALL_KERNEL(tryNearest, tree.segments[static_cast<std::size_t>(seed)], seed,
-                                packet);
+            RELIEVO_CALL_KERNEL(tryNearest, tree, seed, packet);
             last = seed;
         }
     RELIEVO_CALL_KERNEL(findNearestSegments, tree, starts, packet);

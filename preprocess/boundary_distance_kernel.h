@@ -12,13 +12,11 @@ inline Lanes squaresToBox(Lanes x, Lanes y, const BoundaryTree::Node& node, floa
 }
 
 // Takes the segment where it is nearer than what was found.
-inline void tryNearest(const BoundarySegment& segment, std::int32_t number, NearestPacket& packet) {
+inline void tryNearest(const BoundaryTree& tree, std::int32_t number, NearestPacket& packet) {
+    const BoundarySegment& segment = tree.segments[static_cast<std::size_t>(number)];
+    const auto [alongX, alongY, inverse] = tree.extents[static_cast<std::size_t>(number)];
     const auto startX = static_cast<float>(segment.start.x - packet.originX);
     const auto startY = static_cast<float>(segment.start.y - packet.originY);
-    const auto alongX = static_cast<float>(segment.end.x - segment.start.x);
-    const auto alongY = static_cast<float>(segment.end.y - segment.start.y);
-    const float square = alongX * alongX + alongY * alongY;
-    const float inverse = square > 0.0f ? 1.0f / square : 0.0f;
     const Lanes toX = packet.x - startX;
     const Lanes toY = packet.y - startY;
     const Lanes share =
@@ -48,8 +46,7 @@ inline void findNearestSegments(const BoundaryTree& tree, const StartNodes& star
         if (!anyLane(squaresToBox(packet.x, packet.y, node, left, top) < packet.square))
             continue;
         for (std::uint32_t k = 0; k < node.count; ++k)
-            tryNearest(tree.segments[node.first + k], static_cast<std::int32_t>(node.first + k),
-                       packet);
+            tryNearest(tree, static_cast<std::int32_t>(node.first + k), packet);
         if (node.count > 0)
             continue;
         stack[size++] = node.first;

@@ -61,6 +61,13 @@ void append(BoundaryTree& tree, std::size_t first, std::size_t last) {
     append(tree, first + half, last);
 }
 
+BoundaryTree::Extent extentOf(const BoundarySegment& segment) {
+    const auto x = static_cast<float>(segment.end.x - segment.start.x);
+    const auto y = static_cast<float>(segment.end.y - segment.start.y);
+    const float square = x * x + y * y;
+    return {x, y, square > 0.0f ? 1.0f / square : 0.0f};
+}
+
 }  // namespace
 
 BoundaryTree buildBoundaryTree(std::vector<BoundarySegment> segments) {
@@ -68,6 +75,8 @@ BoundaryTree buildBoundaryTree(std::vector<BoundarySegment> segments) {
     tree.segments = std::move(segments);
     if (!tree.segments.empty())
         append(tree, 0, tree.segments.size());
+    tree.extents.resize(tree.segments.size());
+    std::ranges::transform(tree.segments, tree.extents.begin(), extentOf);
     return tree;
 }
 

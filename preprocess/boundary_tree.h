@@ -31,8 +31,17 @@ struct BoundaryTree {
         std::uint32_t count;
     };
 
+    /// What a search asks of a segment time and again: from start to end, and 1 / length² (0 for a
+    /// point).
+    struct Extent {
+        float x;
+        float y;
+        float inverseSquare;
+    };
+
     std::vector<Node> nodes;  ///< the root first; empty without segments
     std::vector<BoundarySegment> segments;
+    std::vector<Extent> extents;  ///< of the segments
 };
 
 /// Builds the tree of segments of finite coordinates. n·log n; the same for the same segments.
