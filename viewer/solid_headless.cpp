@@ -20,6 +20,23 @@ namespace {
 
 using commands::UsageError;
 
+void requireNoReliefOptions(const ViewOptions& options) {
+    const auto refuse = [](std::string_view option) {
+        throw UsageError(fmt::format("--{} is for reliefs, not for scenes and shapes", option));
+    };
+    for (const auto& [name, file] : options.textures)
+        if (name != "albedo")
+            refuse(name);
+    if (options.bakedOcclusion)
+        refuse("occlusion");
+    if (options.normals)
+        refuse("normals");
+    if (options.level)
+        refuse("level");
+    if (options.lightSize > 0.0f)
+        refuse("light-size");
+}
+
 // Every --set must reach one of the techniques.
 void checkSetting(const ViewOptions& options, const ParameterSetting& setting) {
     const auto isOf = [&](const std::string& name) {
@@ -78,6 +95,7 @@ void checkSolidOptions(const ViewOptions& options) {
         throw UsageError(
             "--error: scenes and shapes have no exact picture here, see relievo-bench "
             "solid");
+    requireNoReliefOptions(options);
     for (const std::string& name : options.techniques)
         static_cast<void>(materials::findSolidTechnique(name));
     for (const ParameterSetting& setting : options.parameters)
