@@ -27,7 +27,8 @@ constexpr float kLeastTiles = 0.25f;
 constexpr float kMostTiles = 8.0f;
 constexpr int kMostDepthTiles = 16;
 constexpr float kLeastEdge = 0.05f;
-constexpr float kMostEdge = 2.0f;
+constexpr float kMostEdge = 1.0f;  // fits the view that a window begins with
+constexpr float kMostTypedEdge = 1000.0f;
 
 constexpr std::array kCurves = {ProfileShape::Bevel, ProfileShape::Round, ProfileShape::Cove,
                                 ProfileShape::Ogee};
@@ -124,8 +125,9 @@ void boxControls(ViewOptions& options, const textures::ShapeMap& shape) {
         return;
     constexpr std::array kNames = {"size S x", "size S y", "size S z"};
     for (int axis = 0; axis < 3; ++axis)
-        slider(kNames[static_cast<std::size_t>(axis)], edges[axis], kLeastEdge, kMostEdge, "%.2f",
-               ImGuiSliderFlags_AlwaysClamp);
+        if (slider(kNames[static_cast<std::size_t>(axis)], edges[axis], kLeastEdge, kMostEdge,
+                   "%.2f"))
+            edges[axis] = std::clamp(edges[axis], kLeastEdge, kMostTypedEdge);
 }
 
 void objectControls(ViewOptions& options, const textures::ShapeMap& shape) {
