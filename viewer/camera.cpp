@@ -15,8 +15,7 @@ struct ClipPlanes {
 };
 
 ClipPlanes clipPlanes(const OrbitCamera& orbit) {
-    return {std::max(0.01f, orbit.distance * 0.02f),
-            orbit.distance + std::max(20.0f, 4.0f * orbit.distance)};
+    return {std::max(0.01f, orbit.distance * 0.02f), orbit.distance + orbit.reach};
 }
 
 // The planes in the order in which a projection of glm takes them to the ends of its interval.

@@ -35,6 +35,8 @@ struct OrbitCamera {
     float distance = 1.8f;      ///< from the target, in world units, > 0
     float fieldOfView = 40.0f;  ///< vertical
     glm::vec3 target{0.0f};
+    /// What is no further behind the target than this is shown, however near the eye comes.
+    float reach = 20.0f;
 
     friend bool operator==(const OrbitCamera&, const OrbitCamera&) = default;
 };

@@ -9,41 +9,13 @@
 #include <optional>
 
 #include "materials/shadow_registry.h"
-#include "viewer/imgui_session.h"
+#include "viewer/panel_widgets.h"
 
 namespace relievo::viewer {
 namespace {
 
-// Of the style in imgui_session.cpp.
-constexpr float kPaddingX = 12.0f;
-constexpr float kPaddingY = 10.0f;
-constexpr float kSpacing = 5.0f;
-constexpr float kRowHeight = kFontSize + 2 * 3.0f;
-
 constexpr float kListLeft = 36.0f;
 constexpr float kListTop = kPaddingY;
-constexpr float kSliderWidth = 150.0f;
-// Above so many values a linear slider cannot reach the small ones.
-constexpr double kLogarithmicRange = 200.0;
-const ImVec4 kWarning{1.0f, 0.62f, 0.35f, 1.0f};
-const ImVec4 kQuiet{0.62f, 0.62f, 0.64f, 1.0f};
-
-void heading(const char* text) {
-    ImGui::Dummy({0.0f, 2.0f});
-    ImGui::TextColored(kQuiet, "%s", text);
-    ImGui::Separator();
-}
-
-// A heading that hides what is below it when it is clicked. Returns whether that is shown.
-bool section(const char* text, ImGuiTreeNodeFlags flags = 0) {
-    ImGui::Dummy({0.0f, 2.0f});
-    ImGui::PushStyleColor(ImGuiCol_Text, kQuiet);
-    const bool isOpen = ImGui::TreeNodeEx(
-        text, flags | ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
-    ImGui::PopStyleColor();
-    ImGui::Separator();
-    return isOpen;
-}
 
 void techniqueList(const char* label, const char* id, std::string& technique) {
     ImGui::AlignTextToFramePadding();
@@ -71,38 +43,6 @@ void comparisonModes(WindowSettings& settings) {
         if (ImGui::RadioButton(kComparisonModeNames[k].data(), settings.mode == mode))
             settings.mode = mode;
     }
-}
-
-void parameterSlider(ViewOptions& options, std::string_view technique,
-                     const materials::TechniqueParameter& parameter) {
-    const double before = parameterValue(options, technique, parameter);
-    double after = before;
-    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    const double smallest = parameter.isInteger ? 1.0 : parameter.minimum;
-    if (parameter.minimum >= 0 && parameter.maximum > kLogarithmicRange * smallest)
-        flags |= ImGuiSliderFlags_Logarithmic;
-    ImGui::SetNextItemWidth(kSliderWidth);
-    if (parameter.isInteger) {
-        int value = static_cast<int>(before);
-        if (ImGui::SliderInt(parameter.name.data(), &value, static_cast<int>(parameter.minimum),
-                             static_cast<int>(parameter.maximum), "%d", flags))
-            after = value;
-    } else {
-        auto value = static_cast<float>(before);
-        if (ImGui::SliderFloat(parameter.name.data(), &value, static_cast<float>(parameter.minimum),
-                               static_cast<float>(parameter.maximum), "%.3g",
-                               flags | ImGuiSliderFlags_NoRoundToFormat))
-            after = std::clamp<double>(value, parameter.minimum, parameter.maximum);
-    }
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
-        after = parameter.defaultValue;
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip(
-            "%s", fmt::format("{}\n{:g} to {:g}, default {:g} (right click)", parameter.description,
-                              parameter.minimum, parameter.maximum, parameter.defaultValue)
-                      .c_str());
-    if (after != before)
-        setParameterValue(options, technique, parameter, after);
 }
 
 void parameterSliders(ViewOptions& options, const std::string& name) {
@@ -162,12 +102,6 @@ void shadowList(ViewOptions& options) {
     ImGui::EndCombo();
 }
 
-bool slider(const char* name, float& value, float least, float most, const char* format,
-            ImGuiSliderFlags flags = 0) {
-    ImGui::SetNextItemWidth(kSliderWidth);
-    return ImGui::SliderFloat(name, &value, least, most, format, flags);
-}
-
 // A mesh file can be chosen where the command line named one.
 void objectButtons(ViewOptions& options) {
     int object = static_cast<int>(options.object);
@@ -201,8 +135,7 @@ void sceneControls(WindowSettings& settings) {
 void lightControls(ViewOptions& options) {
     if (!section("light and shadows", ImGuiTreeNodeFlags_DefaultOpen))
         return;
-    slider("light azimuth", options.light.x, -180.0f, 180.0f, "%.0f°");
-    slider("light elevation", options.light.y, 0.0f, 90.0f, "%.0f°");
+    lightSliders(options);
     shadowList(options);
     // The light has a size, and the method parameters, only where there are shadows.
     if (options.shadow == kNoShadow)
@@ -214,23 +147,10 @@ void lightControls(ViewOptions& options) {
 }
 
 void shadingControls(ViewOptions& options) {
-    using materials::ShadingModel;
     if (!section("shading"))
         return;
     slopeList(options);
-    int model = static_cast<int>(options.shading.model);
-    ImGui::RadioButton("Blinn–Phong", &model, static_cast<int>(ShadingModel::BlinnPhong));
-    ImGui::SameLine(kPanelWidth / 2.0f);
-    ImGui::RadioButton("microfacet", &model, static_cast<int>(ShadingModel::Microfacet));
-    options.shading.model = static_cast<ShadingModel>(model);
-    if (options.shading.model != ShadingModel::Microfacet || options.textures.contains("orm"))
-        return;
-    const auto share = [&](const char* name, float& value) {
-        if (!options.textures.contains(name))
-            slider(name, value, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-    };
-    share("roughness", options.shading.roughness);
-    share("metalness", options.shading.metalness);
+    shadingModel(options);
 }
 
 // Left of the finest level the slider says auto.
@@ -324,11 +244,8 @@ void readingsTable(WindowSettings& settings, const PanelReport& report) {
 
 void problems(const WindowSettings& settings, const PanelReport& report) {
     const std::size_t shown = showsSecond(settings) ? 2 : 1;
-    ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
     for (std::size_t pane = 0; pane < shown; ++pane)
-        if (!report.readings[pane].problem.empty())
-            ImGui::TextWrapped("%s", report.readings[pane].problem.c_str());
-    ImGui::PopStyleColor();
+        warning(report.readings[pane].problem);
 }
 
 }  // namespace
@@ -346,12 +263,7 @@ WindowPoint techniqueEntryCenter(int index) {
 }
 
 PanelActions drawControlPanel(WindowSettings& settings, const PanelReport& report, float height) {
-    PanelActions actions;
-    ImGui::SetNextWindowPos({0.0f, 0.0f});
-    ImGui::SetNextWindowSize({kPanelWidth, height});
-    ImGui::Begin("controls", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    beginPanel(height);
     // The first thing in the panel: techniqueListCenter counts on it.
     techniqueList("A", "##A", settings.techniqueA);
     if (showsSecond(settings))
@@ -366,16 +278,7 @@ PanelActions drawControlPanel(WindowSettings& settings, const PanelReport& repor
     shadingControls(settings.options);
     pixelControls(settings.options, report.levelCount);
     readingsTable(settings, report);
-    ImGui::Dummy({0.0f, 2.0f});
-    actions.save = ImGui::Button("Save picture");
-    ImGui::SameLine();
-    actions.resetCamera = ImGui::Button("Reset view");
-    ImGui::SameLine();
-    actions.help = ImGui::Button("Help (F1)");
-    if (!report.message.empty())
-        ImGui::TextWrapped("%s", report.message.c_str());
-    ImGui::End();
-    return actions;
+    return endPanel(report.message);
 }
 
 }  // namespace relievo::viewer

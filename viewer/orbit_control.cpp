@@ -11,8 +11,7 @@ namespace {
 constexpr float kDegreesPerFrame = 180.0f;
 constexpr float kMaximumElevation = 89.9f;
 constexpr float kZoomPerNotch = 0.9f;
-constexpr float kNearest = 0.05f;
-constexpr float kFarthest = 50.0f;
+constexpr float kFarthestFromFirst = 10.0f;
 
 }  // namespace
 
@@ -36,10 +35,17 @@ OrbitCamera panned(const OrbitCamera& camera, float dx, float dy, float frameHei
     return result;
 }
 
-OrbitCamera zoomed(const OrbitCamera& camera, float notches) {
+ZoomLimits zoomLimitsAround(const OrbitCamera& first) {
+    ZoomLimits limits;
+    limits.nearest = std::min(limits.nearest, first.distance);
+    limits.farthest = std::max(limits.farthest, kFarthestFromFirst * first.distance);
+    return limits;
+}
+
+OrbitCamera zoomed(const OrbitCamera& camera, float notches, const ZoomLimits& limits) {
     OrbitCamera result = camera;
-    result.distance =
-        std::clamp(camera.distance * std::pow(kZoomPerNotch, notches), kNearest, kFarthest);
+    result.distance = std::clamp(camera.distance * std::pow(kZoomPerNotch, notches), limits.nearest,
+                                 limits.farthest);
     return result;
 }
 

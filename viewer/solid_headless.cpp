@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,15 +22,36 @@ namespace {
 
 using commands::UsageError;
 
-void checkOptions(const ViewOptions& options) {
-    if (options.files.size() > 1)
-        throw UsageError("several files: expected a single scene or shape");
-    if (!options.errorFile.empty())
+void requireNoReliefOptions(const ViewOptions& options) {
+    const auto refuse = [](std::string_view option) {
+        throw UsageError(fmt::format("--{} is for reliefs, not for scenes and shapes", option));
+    };
+    for (const auto& [name, file] : options.textures)
+        if (name != "albedo")
+            refuse(name);
+    if (options.bakedOcclusion)
+        refuse("occlusion");
+    if (options.normals)
+        refuse("normals");
+    if (options.level)
+        refuse("level");
+    if (options.lightSize > 0.0f)
+        refuse("light-size");
+}
+
+// Every --set must reach one of the techniques.
+void checkSetting(const ViewOptions& options, const ParameterSetting& setting) {
+    const auto isOf = [&](const std::string& name) {
+        const materials::Technique& technique = materials::findSolidTechnique(name).technique;
+        return (setting.technique.empty() || setting.technique == name) &&
+               std::ranges::any_of(technique.parameters,
+                                   [&](const auto& info) { return info.name == setting.name; });
+    };
+    if (std::ranges::none_of(options.techniques, isOf))
         throw UsageError(
-            "--error: scenes and shapes have no exact picture here, see relievo-bench "
-            "solid");
-    for (const std::string& name : options.techniques)
-        static_cast<void>(materials::findSolidTechnique(name));
+            fmt::format("--set {}: no technique shown has a parameter of that name; see "
+                        "relievo-view --list",
+                        setting.name));
 }
 
 void reportScene(const SceneFile& scene) {
@@ -72,6 +94,20 @@ SheetCell renderOne(ViewOptions options, const std::string& name) {
 
 }  // namespace
 
+void checkSolidOptions(const ViewOptions& options) {
+    if (options.files.size() > 1)
+        throw UsageError("several files: expected a single scene or shape");
+    if (!options.errorFile.empty())
+        throw UsageError(
+            "--error: scenes and shapes have no exact picture here, see relievo-bench "
+            "solid");
+    requireNoReliefOptions(options);
+    for (const std::string& name : options.techniques)
+        static_cast<void>(materials::findSolidTechnique(name));
+    for (const ParameterSetting& setting : options.parameters)
+        checkSetting(options, setting);
+}
+
 bool isSolidFile(const std::string& file) {
     if (isSceneFile(file) || textures::lowerExtension(file) == ".svg")
         return true;
@@ -81,7 +117,7 @@ bool isSolidFile(const std::string& file) {
 }
 
 void runSolidHeadless(const ViewOptions& options) {
-    checkOptions(options);
+    checkSolidOptions(options);
     requirePictureFile(options.output);
     const auto context = gl::createContext(options.backend);
     commands::say(context->description());

@@ -9,6 +9,10 @@ namespace relievo::viewer {
 /// FONT:TEXT). Throws textures::InputError for a map that cannot be read.
 bool isSolidFile(const std::string& file);
 
+/// Checks what the parser cannot: options that do not go with scenes and shapes, names of
+/// techniques and of their parameters. Throws commands::UsageError or textures::InputError.
+void checkSolidOptions(const ViewOptions& options);
+
 /// Renders a scene or a shape into options.output: one picture, or a sheet with one for each of
 /// options.techniques. Prints what it took. Throws textures::InputError and commands::UsageError.
 void runSolidHeadless(const ViewOptions& options);

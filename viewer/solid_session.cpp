@@ -1,9 +1,12 @@
 #include "viewer/solid_session.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 #include "textures/file_extension.h"
+#include "textures/input_error.h"
 #include "textures/map_file.h"
 #include "viewer/carrier_mesh.h"
 #include "viewer/texture_files.h"
@@ -12,6 +15,8 @@ namespace relievo::viewer {
 namespace {
 
 constexpr int kShadowTexels = 2048;
+// In distances of a scene's camera: as far as its own picture goes.
+constexpr float kSceneReach = 4.0f;
 
 // The space of the whole of a box around the origin, as box_placement.h has it, for several tiles.
 glm::dmat4 boxFromTiles(const glm::dvec3& size, const glm::dvec3& tiles) {
@@ -19,6 +24,24 @@ glm::dmat4 boxFromTiles(const glm::dvec3& size, const glm::dvec3& tiles) {
     for (int axis = 0; axis < 3; ++axis)
         perTile[axis][axis] = 1.0 / tiles[axis];
     return wholeToLocal(size) * perTile;
+}
+
+surfaces::SurfaceMesh meshOf(const ViewOptions& options, const SolidPlace& place) {
+    if (place.object == ObjectKind::ShapeBox)
+        return surfaces::makeShapeBox(glm::dvec3(0.0), place.tiles,
+                                      boxFromTiles(place.boxSize, place.tiles));
+    return makeCarrier(options, static_cast<float>(place.tileAspect));
+}
+
+void putInto(materials::SolidMaterial& material, const ViewOptions& options,
+             const SolidPlace& place) {
+    const bool isInBox = place.object == ObjectKind::ShapeBox;
+    const glm::dvec4 window(carrierWindow(options));
+    material.low = isInBox ? glm::dvec3(0.0) : glm::dvec3(window.x, window.y, 0.0);
+    material.high = isInBox ? place.tiles : glm::dvec3(window.z, window.w, 1.0);
+    material.boxFromWhole.reset();
+    if (isInBox)
+        material.boxFromWhole = boxFromTiles(place.boxSize, place.tiles);
 }
 
 // The solid goes as far as its carrier does.
@@ -34,6 +57,13 @@ solids::Compound compoundFor(const ViewOptions& options,
     return compound;
 }
 
+// Other techniques of a comparison may have other parameters.
+bool concerns(const ParameterSetting& setting, const materials::Technique& technique) {
+    return (setting.technique.empty() || setting.technique == technique.name) &&
+           std::ranges::any_of(technique.parameters,
+                               [&](const auto& info) { return info.name == setting.name; });
+}
+
 }  // namespace
 
 bool isSceneFile(const std::string& file) {
@@ -43,67 +73,68 @@ bool isSceneFile(const std::string& file) {
 void takeSceneView(const SceneFile& scene, ViewOptions& options) {
     if (!options.sceneOptions.contains("camera"))
         options.camera = scene.camera;
+    options.camera.reach = std::max(options.camera.reach, kSceneReach * scene.camera.distance);
     if (!options.sceneOptions.contains("light"))
         options.light = {scene.light.azimuth, scene.light.elevation};
 }
 
-SolidSession::SolidSession(const ViewOptions& options, const materials::SolidTechnique& technique) {
-    const std::string file = options.files.front().string();
-    stage_ = std::make_unique<SolidStage>(technique);
-    if (isSceneFile(file))
-        openScene(file);
-    else
-        openShape(options);
+SolidPlace placeOf(const ViewOptions& options, const textures::ShapeMap& shape) {
+    const bool isRevolution = options.solid.kind == solids::SolidKind::Revolution;
+    SolidPlace place;
+    place.object = options.object;
+    place.tiles = glm::dvec3(options.tiles, isRevolution ? options.solid.depthTiles : 1);
+    if (options.object == ObjectKind::ShapeBox)
+        place.boxSize = boxSizeOf(options.solid, shape, options.tiles, options.depthScale);
+    else if (!isRevolution)
+        place.tileAspect = shape.aspect();
+    if (options.object == ObjectKind::ShapeBox && !(place.boxSize.z > 0.0))
+        throw textures::InputError("a shape box without a depth, expected a depth scale above 0");
+    return place;
 }
 
-void SolidSession::openScene(const std::string& file) {
-    scene_ = readSceneFile(file);
-    stage_->add(*scene_);
-}
-
-void SolidSession::openShape(const ViewOptions& options) {
-    // A drawing goes on from tile to tile where there are more than one.
+textures::WrapMode wrapModeFor(const ViewOptions& options) {
     const bool isTiled = isWithoutBorders(options.object) ||
                          glm::any(glm::greaterThan(options.tiles, glm::vec2(1.0f)));
-    shape_ = viewer::openShape(options.files.front().string(),
-                               isTiled && options.solid.kind == solids::SolidKind::Extrusion
-                                   ? textures::WrapMode::Repeat
-                                   : textures::WrapMode::Clamp);
-    const auto albedo = options.textures.find("albedo");
-    materials::TextureSet textures;
-    if (albedo != options.textures.end())
-        textures = readTextureSet({{"albedo", albedo->second}}, false, {}, albedo->second.string());
-    solids::Compound compound = compoundFor(options, shape_);
-    if (options.object == ObjectKind::ShapeBox) {
-        const glm::dvec3 high = compound.parts.front().windowMaximum;
-        const glm::dvec3 size =
-            boxSizeOf(options.solid, *shape_, options.tiles, options.depthScale);
-        material_ = &stage_->addBox(std::move(compound), glm::dvec3(0.0), high,
-                                    boxFromTiles(size, high), std::move(textures));
-    } else {
-        const float aspect = options.solid.kind == solids::SolidKind::Revolution
-                                 ? 1.0f
-                                 : static_cast<float>(shape_->aspect());
-        material_ = &stage_->addSurface(std::move(compound), makeCarrier(options, aspect),
-                                        std::move(textures));
+    return isTiled && options.solid.kind == solids::SolidKind::Extrusion
+               ? textures::WrapMode::Repeat
+               : textures::WrapMode::Clamp;
+}
+
+SolidSession::SolidSession(const ViewOptions& options, const materials::SolidTechnique& technique)
+    : technique_(&technique) {
+    const std::string file = options.files.front().string();
+    if (isSceneFile(file)) {
+        scene_ = readSceneFile(file);
+        stage_ = std::make_unique<SolidStage>(technique);
+        stage_->add(*scene_);
     }
-    if (!options.solid.wallRelief.empty())
-        openWallRelief(options);
     edit(options);
 }
 
-void SolidSession::openWallRelief(const ViewOptions& options) {
-    const std::filesystem::path& file = options.solid.wallRelief;
-    const auto maps =
-        std::make_shared<materials::ReliefMaps>(textures::readMapLevels(file), file.string());
-    material_->relief.emplace(maps, materials::findTechnique(options.solid.wallTechnique));
+void SolidSession::edit(const ViewOptions& options) {
+    if (!scene_)
+        followShape(options);
+    setParameters(options.parameters);
 }
 
-void SolidSession::edit(const ViewOptions& options) {
-    for (const ParameterSetting& setting : options.parameters)
-        stage_->setParameter(setting.name, setting.value);
-    if (!material_)
-        return;
+std::shared_ptr<const textures::ShapeMap> SolidSession::shapeFor(const ViewOptions& options) {
+    std::shared_ptr<const textures::ShapeMap>& shape = shapes_[wrapModeFor(options)];
+    if (!shape)
+        shape = openShape(options.files.front().string(), wrapModeFor(options));
+    return shape;
+}
+
+void SolidSession::followShape(const ViewOptions& options) {
+    const std::shared_ptr<const textures::ShapeMap> shape = shapeFor(options);
+    const SolidPlace place = placeOf(options, *shape);
+    shape_ = shape;
+    if (!material_ || material_->compound.parts.front().solid.kind != options.solid.kind) {
+        stageShape(options, place);
+    } else if (place != place_) {
+        stage_->setSurface(*material_, meshOf(options, place));
+        place_ = place;
+    }
+    putInto(*material_, options, place);
     material_->compound = compoundFor(options, shape_);
     material_->depthScale = options.depthScale;
     material_->hasFloor = options.solid.hasFloor;
@@ -114,6 +145,39 @@ void SolidSession::edit(const ViewOptions& options) {
     material_->shadowsItself = options.shadow != kNoShadow || material_->isInBox();
 }
 
+// A material keeps the kinds of its parts.
+void SolidSession::stageShape(const ViewOptions& options, const SolidPlace& place) {
+    materials::TextureSet textures;
+    const auto albedo = options.textures.find("albedo");
+    if (albedo != options.textures.end())
+        textures = readTextureSet({{"albedo", albedo->second}}, false, {}, albedo->second.string());
+    auto stage = std::make_unique<SolidStage>(*technique_);
+    material_ = &stage->addSurface(compoundFor(options, shape_), meshOf(options, place),
+                                   std::move(textures));
+    stage_ = std::move(stage);
+    place_ = place;
+    if (!options.solid.wallRelief.empty())
+        putReliefOnWalls(options.solid);
+}
+
+void SolidSession::putReliefOnWalls(const SolidOptions& solid) {
+    const auto maps = std::make_shared<materials::ReliefMaps>(
+        textures::readMapLevels(solid.wallRelief), solid.wallRelief.string());
+    material_->relief.emplace(maps, materials::findTechnique(solid.wallTechnique));
+}
+
+void SolidSession::setParameters(const std::vector<ParameterSetting>& settings) {
+    const materials::Technique& technique = technique_->technique;
+    for (const materials::TechniqueParameter& parameter : technique.parameters)
+        stage_->setParameter(parameter.name, parameter.defaultValue);
+    for (const ParameterSetting& setting : settings)
+        if (concerns(setting, technique))
+            stage_->setParameter(setting.name, setting.value);
+    if (parameters_ != settings)
+        shadow_.reset();
+    parameters_ = settings;
+}
+
 FrameView SolidSession::viewOf(const ViewOptions& options, float aspect) const {
     FrameView view;
     view.camera = perspectiveCamera(options.camera, aspect);
@@ -122,17 +186,22 @@ FrameView SolidSession::viewOf(const ViewOptions& options, float aspect) const {
     return view;
 }
 
+const ShadowMap& SolidSession::shadowOf(const ViewOptions& options,
+                                        std::span<const SceneObject> objects) {
+    if (!shadow_ || shadowLight_ != options.light)
+        shadow_.emplace(frames_.castShadows(objects, lightCamera(options.light, stage_->extent()),
+                                            kShadowTexels));
+    shadowLight_ = options.light;
+    return *shadow_;
+}
+
 void SolidSession::draw(const ViewOptions& options, gl::Framebuffer& target) {
     const std::vector<SceneObject> objects = stage_->objects(options.shading);
     FrameView view =
         viewOf(options, static_cast<float>(target.width()) / static_cast<float>(target.height()));
     // A single solid shadows itself by light rays.
-    std::optional<ShadowMap> shadow;
-    if (scene_) {
-        shadow.emplace(frames_.castShadows(objects, lightCamera(options.light, stage_->extent()),
-                                           kShadowTexels));
-        view.shadowMap = &*shadow;
-    }
+    if (scene_)
+        view.shadowMap = &shadowOf(options, objects);
     frames_.draw(objects, view, target);
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "viewer/frame_renderer.h"
 #include "viewer/solid_stage.h"
@@ -10,14 +13,29 @@
 
 namespace relievo::viewer {
 
+/// Where a solid of one shape is and how far it goes.
+struct SolidPlace {
+    ObjectKind object = ObjectKind::Quad;
+    glm::dvec3 tiles{1.0};    ///< in u, v and z
+    glm::dvec3 boxSize{0.0};  ///< edges of a shape box; 0 of another object
+    double tileAspect = 1.0;  ///< height of a tile on a quad over its width
+
+    friend bool operator==(const SolidPlace&, const SolidPlace&) = default;
+};
+
+/// The place that the options give to a solid of `shape`. Throws textures::InputError for a shape
+/// box without a depth.
+SolidPlace placeOf(const ViewOptions& options, const textures::ShapeMap& shape);
+
 /// A scene file or a single shape that relievo-view shows, by one search.
 class SolidSession {
   public:
     /// Opens options.files.front(). Needs a current context. Throws textures::InputError.
     SolidSession(const ViewOptions& options, const materials::SolidTechnique& technique);
 
-    /// Follows the options for shapes, the depth scale and the tiles: a shape looks as they say
-    /// from the next picture on. Of a scene nothing changes.
+    /// Follows the options: a shape is what they say from the next picture on, with its object, its
+    /// box and its tiles. Of a scene only the parameters of the search change. Throws
+    /// textures::InputError, after which another edit may succeed.
     void edit(const ViewOptions& options);
     /// Draws into attachment 0 of `target`, with the shadows of a light far away.
     void draw(const ViewOptions& options, gl::Framebuffer& target);
@@ -30,21 +48,40 @@ class SolidSession {
     [[nodiscard]] const textures::ShapeMap* shape() const noexcept { return shape_.get(); }
     [[nodiscard]] SolidStage& stage() noexcept { return *stage_; }
 
+    [[nodiscard]] const materials::SolidTechnique& technique() const noexcept {
+        return *technique_;
+    }
+
   private:
-    void openScene(const std::string& file);
-    void openShape(const ViewOptions& options);
-    void openWallRelief(const ViewOptions& options);
+    void followShape(const ViewOptions& options);
+    void stageShape(const ViewOptions& options, const SolidPlace& place);
+    void putReliefOnWalls(const SolidOptions& solid);
+    void setParameters(const std::vector<ParameterSetting>& settings);
+    std::shared_ptr<const textures::ShapeMap> shapeFor(const ViewOptions& options);
+    const ShadowMap& shadowOf(const ViewOptions& options, std::span<const SceneObject> objects);
     [[nodiscard]] FrameView viewOf(const ViewOptions& options, float aspect) const;
 
+    const materials::SolidTechnique* technique_;
     std::optional<SceneFile> scene_;
+    // Of a shape: the map of each wrap mode that has been shown, and the one that is.
+    std::map<textures::WrapMode, std::shared_ptr<const textures::ShapeMap>> shapes_;
     std::shared_ptr<const textures::ShapeMap> shape_;
-    std::unique_ptr<SolidStage> stage_;
+    SolidPlace place_;
     materials::SolidMaterial* material_ = nullptr;  // of the shape
+    std::unique_ptr<SolidStage> stage_;
     FrameRenderer frames_;
+    // Of a scene, while neither the light nor the search changes.
+    std::optional<ShadowMap> shadow_;
+    std::vector<ParameterSetting> parameters_;
+    glm::vec2 shadowLight_{0.0f};
 };
 
 /// Whether the name is that of a scene file.
 bool isSceneFile(const std::string& file);
+
+/// How a drawing goes on around its tile when it is shown with these options: an extrusion in
+/// several tiles is repeated.
+textures::WrapMode wrapModeFor(const ViewOptions& options);
 
 /// The camera and the light of a scene, for options whose command line has none.
 void takeSceneView(const SceneFile& scene, ViewOptions& options);

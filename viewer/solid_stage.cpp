@@ -63,10 +63,25 @@ std::shared_ptr<const textures::ShapeMap> openShape(const std::string& source,
 SolidStage::SolidStage(const materials::SolidTechnique& technique)
     : technique_(&technique), shapes_(std::make_shared<materials::ShapeTextureCache>()) {}
 
-void SolidStage::include(const surfaces::SurfaceExtent& extent) {
-    const bool isFirst = solids_.empty();
-    extent_.minimum = isFirst ? extent.minimum : glm::min(extent_.minimum, extent.minimum);
-    extent_.maximum = isFirst ? extent.maximum : glm::max(extent_.maximum, extent.maximum);
+surfaces::SurfaceExtent SolidStage::extent() const {
+    std::optional<surfaces::SurfaceExtent> all;
+    for (const Mesh& mesh : meshes_) {
+        if (!mesh.solid)
+            continue;
+        const surfaces::SurfaceExtent& extent = mesh.surface.extent();
+        if (!all)
+            all = extent;
+        all->minimum = glm::min(all->minimum, extent.minimum);
+        all->maximum = glm::max(all->maximum, extent.maximum);
+    }
+    return all.value_or(surfaces::SurfaceExtent());
+}
+
+void SolidStage::setSurface(const materials::SolidMaterial& solid,
+                            const surfaces::SurfaceMesh& mesh) {
+    const auto holder = std::ranges::find_if(
+        meshes_, [&](const Mesh& entry) { return entry.solid && &*entry.solid == &solid; });
+    holder->surface = SurfaceBuffers(mesh);
 }
 
 materials::SolidMaterial& SolidStage::addBox(solids::Compound compound, const glm::dvec3& low,
@@ -83,7 +98,6 @@ materials::SolidMaterial& SolidStage::addBox(solids::Compound compound, const gl
 materials::SolidMaterial& SolidStage::addSurface(solids::Compound compound,
                                                  const surfaces::SurfaceMesh& mesh,
                                                  materials::TextureSet textures) {
-    include(surfaces::extentOf(mesh));
     Mesh& added = meshes_.emplace_back(
         Mesh{SurfaceBuffers(mesh), materials::SurfaceTextures(std::move(textures)), {}, {}});
     materials::SolidMaterial& material =
@@ -153,6 +167,7 @@ Camera lightCamera(const glm::vec2& light, const surfaces::SurfaceExtent& extent
     orbit.target = 0.5f * (extent.minimum + extent.maximum);
     const float radius = std::max(0.5f * glm::distance(extent.minimum, extent.maximum), 1e-3f);
     orbit.distance = 1.5f * radius;
+    orbit.reach = 1.5f * radius;
     orbit.fieldOfView = glm::degrees(2.0f * std::atan(1.0f / 1.5f));
     return orthographicCamera(orbit, 1.0f);
 }

@@ -42,13 +42,17 @@ class SolidStage {
     void addPlain(const surfaces::SurfaceMesh& mesh, const glm::vec3& color,
                   materials::TextureSet textures = {});
 
+    /// Puts a solid of this stage into another mesh; low, high and boxFromWhole of its material are
+    /// the caller's.
+    void setSurface(const materials::SolidMaterial& solid, const surfaces::SurfaceMesh& mesh);
+
     /// Sets a parameter of the search for all solids that have it.
     void setParameter(std::string_view name, double value);
 
     /// These point into the stage.
     [[nodiscard]] std::vector<SceneObject> objects(const materials::Shading& shading);
     /// The room that the solids take.
-    [[nodiscard]] const surfaces::SurfaceExtent& extent() const noexcept { return extent_; }
+    [[nodiscard]] surfaces::SurfaceExtent extent() const;
     [[nodiscard]] std::size_t solidCount() const noexcept { return solids_.size(); }
 
   private:
@@ -60,13 +64,11 @@ class SolidStage {
     };
     void addBoxes(const SceneBox& box, const ShapeMaps& shapes);
     void addQuads(const SceneQuad& quad);
-    void include(const surfaces::SurfaceExtent& extent);
 
     const materials::SolidTechnique* technique_;
     std::shared_ptr<materials::ShapeTextureCache> shapes_;
     std::list<Mesh> meshes_;  // stay where they are
     std::vector<materials::SolidMaterial*> solids_;
-    surfaces::SurfaceExtent extent_;
 };
 
 /// The parallel projection of a far light that holds all of a room, for FrameRenderer::castShadows.

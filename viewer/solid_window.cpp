@@ -1,7 +1,74 @@
 #include "viewer/solid_window.h"
 
-namespace relievo::viewer {
+#include <array>
+#include <optional>
+#include <string>
 
-void runSolidWindow(const ViewOptions&) {}
+#include "viewer/solid_frame.h"
+#include "viewer/solid_headless.h"
+#include "viewer/solid_panel.h"
+#include "viewer/tessellation_count.h"
+#include "viewer/window_loop.h"
+
+namespace relievo::viewer {
+namespace {
+
+constexpr std::array kKeys = {
+    KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},
+    KeyHelp{"R, double click", "reset the view"},
+    KeyHelp{"left drag", "orbit"},
+    KeyHelp{"right drag", "pan (middle drag too)"},
+    KeyHelp{"wheel", "zoom"},
+    KeyHelp{"Ctrl + click", "type a value into a slider"},
+    KeyHelp{"right click", "default value of a technique's slider"},
+    KeyHelp{"H", "hide or show the panel"},
+    KeyHelp{"F1", "this help"},
+    KeyHelp{"Q, Esc", "quit"},
+};
+
+class SolidContent final : public WindowContent {
+  public:
+    /// The context of the window must be current.
+    explicit SolidContent(const ViewOptions& options) : options_(options), frame_(options) {
+        if (const auto& scene = frame_.session().scene()) {
+            takeSceneView(*scene, options_);
+            triangles_ = countTriangles(*scene);
+        }
+        zoomLimits_ = zoomLimitsAround(options_.camera);
+    }
+
+    [[nodiscard]] Activity activity() const override { return Activity::None; }
+    void handleKey(const KeyPress&) override {}
+    bool handleMouse(const PictureArea&) override { return false; }
+    OrbitCamera& camera() override { return options_.camera; }
+    [[nodiscard]] ZoomLimits zoomLimits() const override { return zoomLimits_; }
+    void animate() override {}
+
+    PanelActions drawPanel(const std::string& message, float height) override {
+        return drawSolidPanel(
+            options_, {frame_.readings(), frame_.session().shape(), triangles_, message}, height);
+    }
+
+    bool update(int width, int height) override { return frame_.update(options_, width, height); }
+    void measure() override { frame_.measure(); }
+    [[nodiscard]] const gl::Framebuffer& picture() const override { return frame_.picture(); }
+    void drawOver(const PictureArea&) override {}
+    [[nodiscard]] std::span<const KeyHelp> keys() const override { return kKeys; }
+
+  private:
+    ViewOptions options_;
+    SolidFrame frame_;
+    std::optional<SceneTriangles> triangles_;
+    ZoomLimits zoomLimits_;
+};
+
+}  // namespace
+
+void runSolidWindow(const ViewOptions& options) {
+    checkSolidOptions(options);
+    WindowLoop loop(options);
+    SolidContent content(options);
+    loop.run(content);
+}
 
 }  // namespace relievo::viewer

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "viewer/view_options.h"
 
 namespace relievo::viewer {
@@ -10,8 +8,5 @@ namespace relievo::viewer {
 /// headless run of the same options. Throws textures::InputError, and gl::GlError when there is no
 /// display.
 void runWindow(const ViewOptions& options);
-
-/// The first of `folder`/view-001.png, view-002.png, … that does not exist.
-std::filesystem::path nextPictureName(const std::filesystem::path& folder);
 
 }  // namespace relievo::viewer

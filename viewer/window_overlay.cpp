@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <cmath>
 
 namespace relievo::viewer {
@@ -15,29 +14,6 @@ constexpr ImU32 kLabelColor = IM_COL32(240, 240, 240, 255);
 constexpr ImU32 kNoteColor = IM_COL32(255, 170, 90, 255);
 constexpr ImU32 kLabelGround = IM_COL32(20, 20, 22, 190);
 constexpr ImU32 kLineColor = IM_COL32(250, 250, 250, 220);
-
-struct KeyHelp {
-    const char* keys;
-    const char* meaning;
-};
-
-constexpr std::array kKeys = {
-    KeyHelp{"1 … 9, ↑ ↓", "technique A of the list"},
-    KeyHelp{"0", "the exact picture as A"},
-    KeyHelp{"Shift + these", "technique B"},
-    KeyHelp{"M", "next comparison: single, side by side, split, error"},
-    KeyHelp{"Space", "animate the depth scale"},
-    KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},
-    KeyHelp{"R, double click", "reset the view"},
-    KeyHelp{"left drag", "orbit; in a split picture also drags the line"},
-    KeyHelp{"right drag", "pan (middle drag too)"},
-    KeyHelp{"wheel", "zoom"},
-    KeyHelp{"Ctrl + click", "type a value into a slider"},
-    KeyHelp{"right click", "default value of a technique's slider"},
-    KeyHelp{"H", "hide or show the panel"},
-    KeyHelp{"F1", "this help"},
-    KeyHelp{"Q, Esc", "quit"},
-};
 
 ImVec2 labelSize(const char* text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
@@ -84,26 +60,6 @@ void drawOverlay(const WindowSettings& settings, const PictureArea& area, bool i
         drawLabel(note, {area.left + area.width - kMargin - size.x, area.height - kMargin - size.y},
                   kNoteColor);
     }
-}
-
-void drawHelp(const PictureArea& area) {
-    ImGui::SetNextWindowPos({area.left + area.width / 2, area.height / 2}, ImGuiCond_Always,
-                            {0.5f, 0.5f});
-    ImGui::SetNextWindowBgAlpha(0.92f);
-    ImGui::Begin("keys", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoInputs);
-    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const KeyHelp& entry : kKeys) {
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::TextColored({0.62f, 0.78f, 1.0f, 1.0f}, "%s", entry.keys);
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(entry.meaning);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::End();
 }
 
 }  // namespace relievo::viewer

@@ -71,5 +71,28 @@ TEST(OrbitControl, ZoomGoesThereAndBackWithinItsLimits) {
     EXPECT_LE(zoomed(camera, -1e4f).distance, 50.0f);
 }
 
+TEST(OrbitControl, ALargeSceneIsSeenFromAfar) {
+    OrbitCamera far;
+    far.distance = 35.0f;
+    const ZoomLimits limits = zoomLimitsAround(far);
+    EXPECT_EQ(zoomed(far, -1000.0f, limits).distance, limits.farthest);
+    EXPECT_GT(limits.farthest, 5 * far.distance);
+    EXPECT_EQ(zoomLimitsAround(OrbitCamera{}).farthest, ZoomLimits{}.farthest);
+    // Near the target, what lies behind it is not cut off.
+    far.reach = 140.0f;
+    const OrbitCamera near = zoomed(far, 1000.0f, limits);
+    EXPECT_EQ(near.distance, limits.nearest);
+    const glm::vec3 behind = -139.0f * directionTowards(near.azimuth, near.elevation);
+    const auto depthOf = [&](const OrbitCamera& camera) {
+        const glm::vec4 clip =
+            perspectiveCamera(camera, 1.0f).viewProjection * glm::vec4(behind, 1.0f);
+        return clip.z / clip.w;
+    };
+    EXPECT_LT(depthOf(near), 1.0f);
+    OrbitCamera usual = near;
+    usual.reach = OrbitCamera{}.reach;
+    EXPECT_GT(depthOf(usual), 1.0f);
+}
+
 }  // namespace
 }  // namespace relievo::viewer

@@ -251,6 +251,24 @@ TEST_F(ViewCommandTest, WrongUsageIsStatusTwo) {
         expectFailure(run({map(), "--headless", "-o", picture, "--size", size}), 2, "--size");
 }
 
+// What would do nothing for a shape is refused.
+TEST_F(ViewCommandTest, OptionsOfReliefsAreNotThoseOfShapes) {
+    const std::string picture = outputs_.file("a.png");
+    const std::string drawing = inputs_.file("square.svg");
+    std::ofstream(drawing) << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">)"
+                           << R"(<path d="M1 1 H3 V3 H1 Z"/></svg>)";
+    expectFailure(render(drawing, picture, {"--set", "cone-steps=3"}), 2, "cone-steps");
+    expectFailure(render(drawing, picture, {"--set", "cone.solid-steps=3"}), 2, "solid-steps");
+    expectFailure(render(drawing, picture, {"--normals", "height"}), 2, "--normals");
+    expectFailure(render(drawing, picture, {"--level", "1"}), 2, "--level");
+    expectFailure(render(drawing, picture, {"--orm", "orm.png"}), 2, "--orm");
+    expectFailure(render(drawing, picture, {"--light-size", "1"}), 2, "--light-size");
+    expectFailure(render(drawing, picture, {"--technique", "cone"}), 1, "cone");
+    expectFailure(render(drawing, picture, {"--mesh", "shape-box", "--depth-scale", "0"}), 1,
+                  "depth");
+    EXPECT_EQ(render(drawing, picture, {"--set", "solid-steps=99"}).exitStatus, 0);
+}
+
 TEST_F(ViewCommandTest, BadInputIsStatusOneOneSentenceAndNoOutput) {
     const std::string picture = outputs_.file("a.png");
     expectFailure(render(inputs_.file("missing.exr"), picture), 1, "missing.exr");

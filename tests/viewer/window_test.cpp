@@ -1,15 +1,10 @@
-// The window of relievo-view, used for real: a program of its own under a virtual X server, worked
-// with pointer and keys, and judged by what is on the screen.
+// The window of relievo-view for reliefs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
-#include "tests/commands/process.h"
-#include "tests/viewer/background_process.h"
 #include "tests/viewer/map_fixture.h"
-#include "tests/viewer/picture_statistics.h"
-#include "tests/viewer/virtual_display.h"
+#include "tests/viewer/window_fixture.h"
 #include "viewer/control_panel.h"
 #include "viewer/window_settings.h"
 
@@ -18,46 +13,29 @@ namespace {
 
 using viewer::Picture;
 
-constexpr int kSize = 600;  // of the picture
-// The middle of the picture: the names of the techniques and the heat map's scale are at its edges.
-constexpr PictureRegion kMiddle{60, 60, kSize - 120, kSize - 120};
 constexpr PictureRegion kLeftOfMiddle{60, 60, kSize / 2 - 80, kSize - 120};
 constexpr PictureRegion kRightOfMiddle{kSize / 2 + 20, 60, kSize / 2 - 80, kSize - 120};
-// A screenshot of the same picture differs by the pointer at most.
-constexpr double kSame = 0.995;
-constexpr double kDifferent = 0.97;
 // A steep relief seen at a low angle, so that techniques differ much.
 const std::vector<std::string> kScene = {
     "--depth-scale", "0.35",   "--camera",
     "30,35,1.5",     "--size", std::to_string(kSize) + "x" + std::to_string(kSize)};
 
-class WindowTest : public testing::Test {
+class WindowTest : public WindowFixture {
   protected:
     static void SetUpTestSuite() {
-        display_ = std::make_unique<VirtualDisplay>();
-        maps_ = std::make_unique<ScratchFolder>();
-        writeSampleMaps(maps_->file("bricks.exr"), "bricks", 64, 64);
-    }
-
-    static void TearDownTestSuite() {
-        display_.reset();
-        maps_.reset();
+        WindowFixture::SetUpTestSuite();
+        writeSampleMaps(files_->file("bricks.exr"), "bricks", 64, 64);
     }
 
     static std::vector<std::string> command(const std::vector<std::string>& options) {
-        std::vector<std::string> words = {RELIEVO_VIEW, maps_->file("bricks.exr")};
+        std::vector<std::string> words = {RELIEVO_VIEW, files_->file("bricks.exr")};
         words.insert(words.end(), kScene.begin(), kScene.end());
         words.insert(words.end(), options.begin(), options.end());
         return words;
     }
 
-    /// What a run without a window writes for the same scene.
-    static Picture headless(std::vector<std::string> options) {
-        const std::string file = maps_->file("headless.png");
-        options.insert(options.end(), {"--headless", "-o", file});
-        const ProcessResult result = runProcess(command(options));
-        EXPECT_EQ(result.exitStatus, 0) << result.errors;
-        return viewer::readPicture(file);
+    static Picture headless(const std::vector<std::string>& options) {
+        return WindowFixture::headless(command(options));
     }
 
     /// The error of `technique` as the sheet of a headless run shows it.
@@ -65,36 +43,11 @@ class WindowTest : public testing::Test {
         constexpr int kGap = 8;
         constexpr int kLabel = 40;
         const Picture sheet =
-            headless({"--technique", technique, "--error", maps_->file("error.exr")});
+            headless({"--technique", technique, "--error", files_->file("error.exr")});
         return crop(sheet, {kGap, kLabel + kSize + kGap + kLabel, kSize, kSize});
     }
 
-    /// Opens the window and waits until it has the keyboard.
-    void open(const std::vector<std::string>& options) {
-        view_ = std::make_unique<BackgroundProcess>(display_->withDisplay(command(options)),
-                                                    folder_.path());
-        const auto corner = display_->focusWindow("Relievo");
-        ASSERT_TRUE(corner) << "no window";
-        corner_ = *corner;
-    }
-
-    Picture shown() const {
-        return crop(display_->screenshot(),
-                    {corner_.first + viewer::kPanelWidth, corner_.second, kSize, kSize});
-    }
-
-    /// Waits until a part of the window shows the same as that part of `expected`.
-    testing::AssertionResult shows(const Picture& expected, const PictureRegion& part = kMiddle) {
-        const Picture wanted = crop(expected, part);
-        double last = 0.0;
-        if (waitUntil([&] {
-                last = correlation(crop(shown(), part), wanted);
-                return last > kSame || view_->status();
-            }) &&
-            !view_->status())
-            return testing::AssertionSuccess();
-        return testing::AssertionFailure() << "correlation " << last;
-    }
+    void open(const std::vector<std::string>& options) { WindowFixture::open(command(options)); }
 
     /// The place of a technique in the lists.
     static int choiceOf(std::string_view technique) {
@@ -114,27 +67,7 @@ class WindowTest : public testing::Test {
         for (int k = 8; k < choice; ++k)
             display_->pressKey(modifier + "Down");
     }
-
-    void clickPanel(const viewer::WindowPoint& point) const {
-        display_->click(corner_.first + point.x, corner_.second + point.y);
-    }
-
-    void quit(const std::string& key) {
-        display_->pressKey(key);
-        ASSERT_TRUE(waitUntil([&] { return view_->status().has_value(); })) << "still open";
-        EXPECT_EQ(*view_->status(), 0);
-    }
-
-    static std::unique_ptr<VirtualDisplay> display_;
-    static std::unique_ptr<ScratchFolder> maps_;
-
-    ScratchFolder folder_;  // the current folder of the program
-    std::unique_ptr<BackgroundProcess> view_;
-    std::pair<int, int> corner_;
 };
-
-std::unique_ptr<VirtualDisplay> WindowTest::display_;
-std::unique_ptr<ScratchFolder> WindowTest::maps_;
 
 TEST_F(WindowTest, ShowsThePictureOfAHeadlessRun) {
     const Picture relief = headless({"--technique", "relief"});
@@ -200,8 +133,7 @@ TEST_F(WindowTest, SplitsAndComparesWithTheExactHits) {
     ASSERT_TRUE(shows(normal));
     choose("cone", "shift+");
     display_->pressKey("m");  // side by side: each technique in half of the width
-    ASSERT_TRUE(waitUntil(
-        [&] { return correlation(crop(shown(), kMiddle), crop(normal, kMiddle)) < kDifferent; }));
+    ASSERT_TRUE(showsOtherThan(normal));
     display_->pressKey("m");  // split
     EXPECT_TRUE(shows(normal, kLeftOfMiddle));
     EXPECT_TRUE(shows(cone, kRightOfMiddle));
@@ -221,8 +153,7 @@ TEST_F(WindowTest, TheMouseOrbitsAndRGoesBack) {
     ASSERT_TRUE(shows(relief));
     const int x = corner_.first + viewer::kPanelWidth + kSize / 2;
     display_->drag(x, 300, x + 100, 330);
-    EXPECT_TRUE(waitUntil(
-        [&] { return correlation(crop(shown(), kMiddle), crop(relief, kMiddle)) < kDifferent; }));
+    EXPECT_TRUE(showsOtherThan(relief));
     EXPECT_GT(contrast(crop(shown(), kMiddle)), 0.05);
     display_->pressKey("r");
     EXPECT_TRUE(shows(relief));
@@ -244,18 +175,15 @@ TEST_F(WindowTest, SavesThePictureWithoutOverwriting) {
     ASSERT_TRUE(isSaved("view-002.png"));
     quit("q");
     EXPECT_EQ(readBytes(folder_.file("view-001.png")), first);
-    EXPECT_EQ(readBytes(folder_.file("view-002.png")), readBytes(maps_->file("headless.png")));
+    EXPECT_EQ(readBytes(folder_.file("view-002.png")), readBytes(files_->file("headless.png")));
     EXPECT_EQ(folder_.list().size(), 2u);
 }
 
 TEST_F(WindowTest, WithoutTheConeChannelTheOtherTechniquesStay) {
-    writeSampleMaps(maps_->file("bare.exr"), "bricks", 64, 64, ConeChannel::Missing);
+    writeSampleMaps(files_->file("bare.exr"), "bricks", 64, 64, ConeChannel::Missing);
     std::vector<std::string> words = command({"--technique", "normal"});
-    words[1] = maps_->file("bare.exr");
-    view_ = std::make_unique<BackgroundProcess>(display_->withDisplay(words), folder_.path());
-    const auto corner = display_->focusWindow("Relievo");
-    ASSERT_TRUE(corner);
-    corner_ = *corner;
+    words[1] = files_->file("bare.exr");
+    WindowFixture::open(words);
     const Picture normal = headless({"--technique", "normal"});
     ASSERT_TRUE(shows(normal));
     choose("cone");
