@@ -95,7 +95,7 @@ void printRow(const std::string& name, const Tally& sum) {
 
 class SolidHits : public testing::Test {
   protected:
-    static void SetUpTestSuite() { stage_ = std::make_unique<SolidStage>(); }
+    static void SetUpTestSuite() { stage_ = std::make_unique<SolidTestStage>(); }
     static void TearDownTestSuite() {
         printRow("all", all_);
         // Of the rays of all tests together.
@@ -121,7 +121,7 @@ class SolidHits : public testing::Test {
         }
     }
 
-    static inline std::unique_ptr<SolidStage> stage_;
+    static inline std::unique_ptr<SolidTestStage> stage_;
     static inline Tally all_;
 };
 

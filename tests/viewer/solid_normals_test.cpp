@@ -63,7 +63,7 @@ bool isAtEdge(const TrueSolid& solid, const SolidRay& ray, const SolidHit& hit) 
 
 // Rays from around the tile of a material with one part, which is [0,1]³; `middle` is what the true
 // solid has at its origin.
-NormalErrors measureNormals(SolidStage& stage, const solids::SolidPart& part,
+NormalErrors measureNormals(SolidTestStage& stage, const solids::SolidPart& part,
                             const TrueSolid& solid, const glm::dvec3& middle) {
     materials::SolidMaterial material(stage.shapes, {{part}},
                                       materials::findSolidTechnique("solid"));
@@ -106,7 +106,7 @@ void expectSmall(const std::string& name, const NormalErrors& errors) {
 
 class SolidNormals : public testing::Test {
   protected:
-    SolidStage stage_;
+    SolidTestStage stage_;
 };
 
 TEST_F(SolidNormals, OfExtrusionsAreThoseOfTheOutline) {

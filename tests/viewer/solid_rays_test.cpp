@@ -49,7 +49,7 @@ SolidCase around(SolidCase solid) {
     return solid;
 }
 
-materials::SolidMaterial materialOf(SolidStage& stage, const SolidCase& solid) {
+materials::SolidMaterial materialOf(SolidTestStage& stage, const SolidCase& solid) {
     materials::SolidMaterial material(stage.shapes, solid.compound,
                                       materials::findSolidTechnique("solid"));
     material.low = solid.low;
@@ -60,7 +60,7 @@ materials::SolidMaterial materialOf(SolidStage& stage, const SolidCase& solid) {
 
 class SolidRays : public testing::Test {
   protected:
-    static void SetUpTestSuite() { stage_ = std::make_unique<SolidStage>(); }
+    static void SetUpTestSuite() { stage_ = std::make_unique<SolidTestStage>(); }
     static void TearDownTestSuite() {
         programs_.clear();
         stage_.reset();
@@ -77,7 +77,7 @@ class SolidRays : public testing::Test {
         return programs_.emplace(key, solidRayProgram(material)).first->second;
     }
 
-    static inline std::unique_ptr<SolidStage> stage_;
+    static inline std::unique_ptr<SolidTestStage> stage_;
     static inline std::map<std::string, gl::Program> programs_;
 };
 

@@ -33,14 +33,14 @@ surfaces::SurfaceMesh meshOf(const SolidCase& solid) {
 
 }  // namespace
 
-SolidStage::SolidStage()
+SolidTestStage::SolidTestStage()
     : context(makeTestContext()),
       shapes(std::make_shared<materials::ShapeTextureCache>()),
       frames(std::make_unique<FrameRenderer>()) {}
 
-SolidStage::~SolidStage() = default;
+SolidTestStage::~SolidTestStage() = default;
 
-SolidScene::SolidScene(SolidStage& stage, const SolidCase& solidCase)
+SolidScene::SolidScene(SolidTestStage& stage, const SolidCase& solidCase)
     : material(stage.shapes, solidCase.compound, materials::findSolidTechnique("solid")),
       stage_(stage),
       case_(solidCase),

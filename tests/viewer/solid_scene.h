@@ -12,20 +12,20 @@
 namespace relievo::viewer {
 
 /// What solids are drawn with, one after the other: programs and shapes stay.
-struct SolidStage {
+struct SolidTestStage {
     std::unique_ptr<gl::Context> context;
     std::shared_ptr<materials::ShapeTextureCache> shapes;
     std::unique_ptr<FrameRenderer> frames;
 
-    SolidStage();
-    ~SolidStage();
+    SolidTestStage();
+    ~SolidTestStage();
 };
 
 /// A solid alone in the world: sunk into a quad of one tile, or in its box, whose middle is the
 /// origin.
 class SolidScene {
   public:
-    SolidScene(SolidStage& stage, const SolidCase& solidCase);
+    SolidScene(SolidTestStage& stage, const SolidCase& solidCase);
 
     /// What each pixel of a frame of size² found, and the ray that it was given.
     MeasuredFrame measure(const Camera& camera, int size);
@@ -37,7 +37,7 @@ class SolidScene {
     materials::SolidMaterial material;
 
   private:
-    SolidStage& stage_;
+    SolidTestStage& stage_;
     SolidCase case_;
     std::unique_ptr<SurfaceBuffers> surface_;
 };
