@@ -19,6 +19,7 @@
 #include "preprocess/relief_baker.h"
 #include "preprocess/roof_cones.h"
 #include "preprocess/sequential_distances.h"
+#include "preprocess/shape_baker.h"
 
 namespace relievo::bench {
 namespace {
@@ -51,6 +52,15 @@ BakeOutput buildNormals(const BakeInput& input) {
 BakeOutput buildDistances(const BakeInput& input) {
     return otherOutput(preprocess::distancesTo(input.raised, input.map.width(), input.map.height(),
                                                input.map.wrap));
+}
+
+// The raised texels as coverage with grey between them, as a drawn shape has it: a half where the
+// median is.
+BakeOutput buildShape(const BakeInput& input) {
+    preprocess::ShapePlan plan;
+    plan.wrap = input.map.wrap;
+    return otherOutput(
+        preprocess::bakeShape({input.coverage, input.map.width(), input.map.height(), ""}, plan));
 }
 
 BakeOutput buildSequentialDistances(const BakeInput& input) {
@@ -125,6 +135,7 @@ double statedBytes(const char* cone, const char* guarantee, const char* method) 
 
 // Limits of size are such that all builders together take minutes, not hours, on a relief of 4096².
 constexpr std::string_view kDistances = "distances";
+constexpr std::string_view kShape = "shape";
 constexpr std::string_view kCones = "cones";
 constexpr std::string_view kRelaxed = "relaxed cones";
 
@@ -136,6 +147,10 @@ std::vector<BakeBuilder> surfaceBuilders() {
         {"distances-4sed", "the same by 4SED", buildSequentialDistances, 0, kDistances, true},
         {"distances-opencv", "the same by OpenCV, never repeated", kOpenCvDistances, 0, kDistances,
          true},
+        {"shape", "shape map of the upper half: outline, signed distances, directions", buildShape,
+         0, kShape},
+        {"shape-opencv", "its like by OpenCV: distances of both sides and Sobel, never repeated",
+         kOpenCvShape, 0, kShape, true},
     };
 }
 
@@ -214,16 +229,29 @@ std::vector<BakeBuilder> makeBuilders() {
     return builders;
 }
 
-std::vector<std::uint8_t> texelsAboveMedian(const textures::Plane& depth) {
+float medianOf(const textures::Plane& depth) {
     std::vector<float> depths = depth.texels;
     const auto median = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
     std::nth_element(depths.begin(), median, depths.end());
-    std::vector<std::uint8_t> raised(depths.size());
+    return *median;
+}
+
+std::vector<std::uint8_t> texelsAboveMedian(const textures::Plane& depth) {
+    std::vector<std::uint8_t> raised(depth.texels.size());
     std::transform(depth.texels.begin(), depth.texels.end(), raised.begin(),
-                   [limit = *median](float value) {
+                   [limit = medianOf(depth)](float value) {
                        return value < limit ? std::uint8_t{1} : std::uint8_t{0};
                    });
     return raised;
+}
+
+// Whole texels but for those where the relief is within a hundredth of its median.
+textures::Plane coverageAboveMedian(const textures::Plane& depth) {
+    textures::Plane coverage = depth;
+    const float median = medianOf(depth);
+    for (float& value : coverage.texels)
+        value = std::clamp(0.5f + 50.0f * (median - value), 0.0f, 1.0f);
+    return coverage;
 }
 
 }  // namespace
@@ -236,6 +264,7 @@ BakeInput makeBakeInput(textures::DepthMap map) {
     input.lowered = input.raised;
     for (std::uint8_t& texel : input.lowered)
         texel = static_cast<std::uint8_t>(1 - texel);
+    input.coverage = coverageAboveMedian(input.map.depth);
     return input;
 }
 

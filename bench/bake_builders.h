@@ -25,6 +25,8 @@ struct BakeInput {
     std::vector<std::uint8_t> raised;
     /// The opposite, which is what OpenCV starts from.
     std::vector<std::uint8_t> lowered;
+    /// For shape maps: how much of each texel is above the median.
+    textures::Plane coverage;
 };
 
 /// The input made of a relief.

@@ -1,5 +1,6 @@
-# Third-party packages, as Debian 12 ships them. OpenImageIO and OSMesa come through pkg-config
-# because their CMake packages are missing or broken there.
+# Third-party packages, as Debian 12 ships them. OpenImageIO, OSMesa and assimp come through
+# pkg-config because their CMake packages are missing or broken there (that of assimp wants the
+# development files of draco and minizip, which nothing here needs).
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
@@ -17,6 +18,7 @@ pkg_check_modules(HARFBUZZ REQUIRED IMPORTED_TARGET harfbuzz>=4)
 pkg_check_modules(LIB2GEOM REQUIRED IMPORTED_TARGET 2geom)
 pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
 pkg_check_modules(POLYCLIPPING REQUIRED IMPORTED_TARGET polyclipping)
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp>=5)
 if(RELIEVO_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)
 endif()

@@ -15,3 +15,6 @@ install(
     "${PROJECT_BINARY_DIR}/relievoConfig.cmake"
     "${PROJECT_BINARY_DIR}/relievoConfigVersion.cmake"
   DESTINATION "${relievo_package_dir}")
+
+# Scenes that relievo-view can show.
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/relievo)

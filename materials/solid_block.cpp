@@ -1,7 +1,6 @@
 #include "materials/solid_block.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +18,7 @@ namespace {
 
 static_assert(solids::kMostParts == RELIEVO_SOLID_MOST_PARTS);
 static_assert(solids::kMostPieces == RELIEVO_SOLID_MOST_PIECES);
+static_assert(static_cast<int>(solids::SolidTexturing::Box) == RELIEVO_TEXTURING_BOX);
 
 struct PartBlock {
     glm::mat4 fromWhole;
@@ -40,9 +40,6 @@ struct PieceBlock {
 static_assert(sizeof(PieceBlock) == 5 * 16);
 
 using PieceBlocks = std::array<PieceBlock, solids::kMostPieces>;
-
-constexpr std::array<std::string_view, 6> kTexturingNames{"top",      "front",  "diagonal",
-                                                          "cylinder", "sphere", "box"};
 
 int wrapNumber(textures::WrapMode wrap) {
     switch (wrap) {
@@ -114,18 +111,6 @@ void append(std::vector<std::byte>& bytes, const Block& block) {
 }
 
 }  // namespace
-
-std::string_view solidTexturingName(SolidTexturing texturing) noexcept {
-    return kTexturingNames[static_cast<std::size_t>(texturing)];
-}
-
-SolidTexturing findSolidTexturing(std::string_view name) {
-    const auto found = std::ranges::find(kTexturingNames, name);
-    if (found == kTexturingNames.end())
-        throw textures::InputError(fmt::format("there is no texturing \"{}\", expected {}", name,
-                                               fmt::join(kTexturingNames, ", ")));
-    return static_cast<SolidTexturing>(found - kTexturingNames.begin());
-}
 
 std::vector<std::byte> solidBlock(const solids::Compound& compound,
                                   std::span<const PartLook> looks) {

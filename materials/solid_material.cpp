@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <iterator>
 #include <string>
 
 #include "shaders/relievo/constants.h"
@@ -43,8 +45,15 @@ double SolidMaterial::parameter(std::string_view name) const {
     return values_[place];
 }
 
-std::vector<std::string_view> SolidMaterial::files() const {
+std::vector<std::string_view> SolidMaterial::searchFiles() const {
     return {technique_->technique.file};
+}
+
+std::vector<std::string_view> SolidMaterial::files() const {
+    std::vector<std::string_view> result = searchFiles();
+    if (relief)
+        result.push_back(relief->technique().file);
+    return result;
 }
 
 std::vector<shaders::Define> SolidMaterial::defines() const {
@@ -60,10 +69,21 @@ std::vector<shaders::Define> SolidMaterial::defines() const {
         result.push_back({"RELIEVO_SHAPE_BOX", "1"});
     if (shadowsItself)
         result.push_back({"RELIEVO_SOLID_SHADOW", "1"});
+    if (relief) {
+        result.push_back({"RELIEVO_SOLID_RELIEF", "1"});
+        std::ranges::move(relief->defines(), std::back_inserter(result));
+    }
     return result;
 }
 
 GLuint SolidMaterial::bind(GLuint program, GLuint firstUnit) const {
+    const GLuint unit = bindSearch(program, firstUnit);
+    glProgramUniform2fv(program, glGetUniformLocation(program, "relievoSolidPictureTiles"), 1,
+                        glm::value_ptr(pictureTiles));
+    return relief ? relief->bind(program, unit) : unit;
+}
+
+GLuint SolidMaterial::bindSearch(GLuint program, GLuint firstUnit) const {
     requireShown(*technique_, compound);  // it may have been edited
     GLuint unit = firstUnit;
     // OpenGL ignores what is set at the location −1.
@@ -100,7 +120,7 @@ GLuint SolidMaterial::bind(GLuint program, GLuint firstUnit) const {
     }
     glProgramUniform3fv(program, locate("relievoSolidLow"), 1, glm::value_ptr(glm::vec3(low)));
     glProgramUniform3fv(program, locate("relievoSolidHigh"), 1, glm::value_ptr(glm::vec3(high)));
-    glProgramUniform1f(program, locate("relievoDepthScale"), depthScale);
+    glProgramUniform1f(program, locate("relievoSolidDepth"), depthScale);
     glProgramUniform1i(program, locate("relievoSolidFloor"), hasFloor ? 1 : 0);
     if (boxFromWhole) {
         const glm::mat4 fromWorld(glm::inverse(*boxFromWhole));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "materials/relief_material.h"
 #include "materials/shape_textures.h"
 #include "materials/solid_block.h"
 #include "materials/solid_registry.h"
@@ -40,10 +42,14 @@ class SolidMaterial {
     [[nodiscard]] std::vector<std::string_view> files() const;
     /// What the shader text must define for this solid.
     [[nodiscard]] std::vector<shaders::Define> defines() const;
+    /// The files for a text that only searches.
+    [[nodiscard]] std::vector<std::string_view> searchFiles() const;
     /// Binds the maps to texture units from `firstUnit`, the numbers to the uniform block, and sets
-    /// the uniforms of `program`; it may lack any of them. Returns the first unit that stays free.
-    /// Throws textures::InputError as solidBlock and requireShown do.
+    /// the uniforms of `program`; of those of the solid it may lack any. Returns the first unit
+    /// that stays free. Throws textures::InputError as solidBlock and requireShown do.
     GLuint bind(GLuint program, GLuint firstUnit = 0) const;
+    /// The same for a program that only searches.
+    GLuint bindSearch(GLuint program, GLuint firstUnit = 0) const;
 
     [[nodiscard]] const SolidTechnique& technique() const noexcept { return *technique_; }
     [[nodiscard]] bool isInBox() const noexcept { return boxFromWhole.has_value(); }
@@ -61,6 +67,10 @@ class SolidMaterial {
     float depthScale = 0.1f;  ///< of a solid in a surface: the depth of z = 1, in tile widths, ≥ 0
     bool hasFloor = true;     ///< likewise: the surface goes on at z = 1 around the solid
     bool shadowsItself = true;  ///< by light rays, which are searched as well
+    /// A relief on walls and caps, where the part's picture lies; with the technique `normal` a
+    /// bump map. Its slopes, window and depth scale are its own; it casts no shadows.
+    std::optional<ReliefMaterial> relief;
+    glm::vec2 pictureTiles{1.0f};  ///< of pictures and the relief, in a tile of the texturing, > 0
 
   private:
     const TechniqueParameter& find(std::string_view name, std::size_t& place) const;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr TechniqueParameter kSolidParameters[] = {
     {"solid-steps", "relievoSolidSteps", "cells that a ray may look at before it gives up", 1,
-     65536, 4096, true, true},
+     65536, 16384, true, true},
 };
 
 // Of the thesis: 30 steps; 25 and 10 for bevels; 25, 10 and 25 for chamfers.

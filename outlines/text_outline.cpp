@@ -99,7 +99,22 @@ Font openFont(const std::filesystem::path& file) {
     return Font(hb_font_create(face.get()));
 }
 
+// HarfBuzz would put its own sign in the place of what is no UTF-8.
+void requireUtf8(const std::filesystem::path& file, const std::string& text) {
+    constexpr hb_codepoint_t kNoLetter = UINT32_MAX;
+    const Buffer buffer(hb_buffer_create());
+    hb_buffer_set_replacement_codepoint(buffer.get(), kNoLetter);
+    hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, -1);
+    unsigned count = 0;
+    const hb_glyph_info_t* const letters = hb_buffer_get_glyph_infos(buffer.get(), &count);
+    for (const hb_glyph_info_t& letter : std::span(letters, count))
+        if (letter.codepoint == kNoLetter)
+            throw textures::InputError(fmt::format("{}: the text is no UTF-8 at its byte {}",
+                                                   file.string(), letter.cluster));
+}
+
 Buffer shape(const std::filesystem::path& file, hb_font_t* font, const std::string& text) {
+    requireUtf8(file, text);
     Buffer buffer(hb_buffer_create());
     hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, -1);
     hb_buffer_guess_segment_properties(buffer.get());

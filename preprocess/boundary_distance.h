@@ -19,9 +19,10 @@ struct BoundaryDistances {
 };
 
 /// The exact distance from the centres of width × height texels to the nearest segment, up to the
-/// rounding of floats (2⁻²² of the distance, and 10⁻⁶ texels). Packets of 4×4 texels go down the
-/// tree at once and begin with the segment that was nearest beside them, so that few nodes are
-/// opened. The same whatever the number of threads.
+/// rounding of floats (2⁻²¹ of the distance and the length of a segment, and 10⁻⁶ texels). Packets
+/// of 4×4 texels go down the tree at once, from the nodes that count for the block of 32×32 they
+/// are in, and begin with the segment that was nearest beside them, so that few nodes are opened.
+/// The same whatever the number of threads.
 ///
 /// `advance`, when given, is called from any thread with the number of texels just finished.
 BoundaryDistances measureBoundaryDistances(const BoundaryTree& tree, int width, int height,

@@ -31,13 +31,17 @@ inline void tryNearest(const BoundarySegment& segment, std::int32_t number, Near
     packet.segment = isNearer ? LaneMask{} + number : packet.segment;
 }
 
-inline void findNearestSegments(const BoundaryTree& tree, NearestPacket& packet) {
+inline void findNearestSegments(const BoundaryTree& tree, const StartNodes& starts,
+                                NearestPacket& packet) {
     const auto left = static_cast<float>(packet.originX);
     const auto top = static_cast<float>(packet.originY);
     // Halving: no deeper than the bits of a number of segments.
-    std::uint32_t stack[64];
+    std::uint32_t stack[64 + StartNodes::kMost];
     int size = 0;
-    stack[size++] = 0;
+    while (size < starts.count) {
+        stack[size] = starts.nodes[static_cast<std::size_t>(size)];
+        ++size;
+    }
     while (size > 0) {
         const std::uint32_t number = stack[--size];
         const BoundaryTree::Node& node = tree.nodes[number];

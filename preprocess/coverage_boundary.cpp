@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <utility>
 
+#include "preprocess/boundary_reach.h"
 #include "preprocess/coverage_corners.h"
 #include "preprocess/coverage_outline.h"
 #include "preprocess/texel_sides.h"
@@ -76,19 +78,25 @@ class Simplifier {
     TexelSides& sides_;
 };
 
-// Adds the copies of a segment that are within half a tile of the tile.
-void addCopies(const BoundarySegment& segment, const glm::dvec2& size,
-               std::vector<BoundarySegment>& segments) {
-    const glm::dvec2 least = glm::min(segment.start, segment.end);
-    const glm::dvec2 most = glm::max(segment.start, segment.end);
-    // Tiles k with most + k·size ≥ −size/2 and least + k·size ≤ 3·size/2.
-    const glm::ivec2 first(glm::ceil(-0.5 - most / size));
-    const glm::ivec2 last(glm::floor(1.5 - least / size));
-    for (int j = first.y; j <= last.y; ++j)
-        for (int i = first.x; i <= last.x; ++i) {
-            const glm::dvec2 shift = glm::dvec2(i, j) * size;
-            segments.push_back({segment.start + shift, segment.end + shift});
-        }
+// The segments of a repeated tile, wherever they are, with all their copies that count in it.
+std::vector<BoundarySegment> withCopies(const std::vector<BoundarySegment>& segments,
+                                        const glm::dvec2& size) {
+    const double reach =
+        boundaryReach(segments, static_cast<int>(size.x), static_cast<int>(size.y));
+    std::vector<BoundarySegment> copies;
+    for (const BoundarySegment& segment : segments) {
+        const glm::dvec2 least = glm::min(segment.start, segment.end);
+        const glm::dvec2 most = glm::max(segment.start, segment.end);
+        // Tiles k with most + k·size ≥ −reach and least + k·size ≤ size + reach.
+        const glm::ivec2 first(glm::ceil((-reach - most) / size));
+        const glm::ivec2 last(glm::floor((size + reach - least) / size));
+        for (int j = first.y; j <= last.y; ++j)
+            for (int i = first.x; i <= last.x; ++i) {
+                const glm::dvec2 shift = glm::dvec2(i, j) * size;
+                copies.push_back({segment.start + shift, segment.end + shift});
+            }
+    }
+    return copies;
 }
 
 }  // namespace
@@ -98,13 +106,11 @@ CoverageBoundary coverageBoundary(const Plane& coverage, WrapMode wrap) {
     std::vector<OutlineChain> chains = traceCoverage(coverage, wrap);
     sharpenCorners(coverage, chains, sides);
     CoverageBoundary boundary;
-    const glm::dvec2 size(coverage.width, coverage.height);
     for (const OutlineChain& chain : chains)
-        for (const BoundarySegment& segment : Simplifier(chain, sides).simplify())
-            if (wrap == WrapMode::Repeat)
-                addCopies(segment, size, boundary.segments);
-            else
-                boundary.segments.push_back(segment);
+        std::ranges::move(Simplifier(chain, sides).simplify(),
+                          std::back_inserter(boundary.segments));
+    if (wrap == WrapMode::Repeat)
+        boundary.segments = withCopies(boundary.segments, {coverage.width, coverage.height});
     boundary.inside = std::move(sides.inside);
     return boundary;
 }

@@ -11,6 +11,7 @@ namespace relievo::preprocess {
 namespace {
 
 using textures::Plane;
+using textures::WrapMode;
 
 constexpr int kMostBetween = 12;      // points that give way
 constexpr double kFarthest = 6.0;     // texels from the last sure point to the corner
@@ -130,6 +131,98 @@ class ChainPoints {
     int count_;
 };
 
+// A chain that ends at mirrors with as many of its own points behind them as corners reach to, so
+// that those on a mirror are seen. Its ends on the border, which lie beside the true outline, are
+// left out.
+class MirroredChain {
+  public:
+    MirroredChain(const OutlineChain& chain, const Plane& coverage)
+        : size_(coverage.width, coverage.height) {
+        const auto count = static_cast<int>(chain.points.size());
+        const auto point = [&](int k) { return chain.points[static_cast<std::size_t>(k)]; };
+        for (int k = std::min(count - 2, kMostBetween); k >= 1; --k)
+            chain_.points.push_back(behind(point(k), point(0).place));
+        for (int k = 1; k < count - 1; ++k)
+            chain_.points.push_back(point(k));
+        for (int k = count - 2; k >= std::max(1, count - 1 - kMostBetween); --k)
+            chain_.points.push_back(behind(point(k), point(count - 1).place));
+        chain_.isClosed = false;
+    }
+
+    [[nodiscard]] OutlineChain& chain() { return chain_; }
+
+    // What of the chain is in the tile: from where it comes in first to where it goes out last.
+    [[nodiscard]] std::vector<OutlinePoint> inTile() const {
+        const auto& points = chain_.points;
+        std::vector<OutlinePoint> result;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const bool isIn = isInTile(points[k].place);
+            if (k > 0 && isIn != isInTile(points[k - 1].place))
+                result.push_back({onBorder(points[k - 1].place, points[k].place), true});
+            if (isIn)
+                result.push_back(points[k]);
+        }
+        return result;
+    }
+
+  private:
+    // Behind the side that `border` lies on.
+    [[nodiscard]] OutlinePoint behind(OutlinePoint point, const glm::dvec2& border) const {
+        for (int axis = 0; axis < 2; ++axis)
+            if (border[axis] == 0.0 || border[axis] == size_[axis]) {
+                point.place[axis] = 2.0 * border[axis] - point.place[axis];
+                return point;
+            }
+        return point;
+    }
+    [[nodiscard]] bool isInTile(const glm::dvec2& place) const {
+        return place.x >= 0.0 && place.y >= 0.0 && place.x <= size_.x && place.y <= size_.y;
+    }
+    // Where the way from one to the other, of which one is in the tile, meets its border.
+    [[nodiscard]] glm::dvec2 onBorder(const glm::dvec2& a, const glm::dvec2& b) const {
+        for (int axis = 0; axis < 2; ++axis)
+            for (const double side : {0.0, size_[axis]})
+                if ((a[axis] < side) != (b[axis] < side) && a[axis] != b[axis]) {
+                    const double share = (side - a[axis]) / (b[axis] - a[axis]);
+                    glm::dvec2 place = a + share * (b - a);
+                    place[axis] = side;
+                    if (isInTile(place))
+                        return place;
+                }
+        return isInTile(a) ? a : b;
+    }
+
+    glm::dvec2 size_;
+    OutlineChain chain_;
+};
+
+// Ends on the border of a clamped tile lie straight behind the last point inside: they go on from
+// there as the outline comes. No centre lies between, half a texel from the border.
+void straightenEnd(OutlinePoint& end, const OutlinePoint& last, const OutlinePoint& before,
+                   const glm::dvec2& size) {
+    constexpr double kFarthestAside = 0.5;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (end.place[axis] != 0.0 && end.place[axis] != size[axis])
+            continue;
+        const glm::dvec2 along = last.place - before.place;
+        const double share = (end.place[axis] - last.place[axis]) / along[axis];
+        if (!(share >= 0.0))  // it comes along the border
+            return;
+        const double aside = std::clamp(share * along[1 - axis], -kFarthestAside, kFarthestAside);
+        end.place[1 - axis] = std::clamp(last.place[1 - axis] + aside, 0.0, size[1 - axis]);
+        return;
+    }
+}
+
+void straightenEnds(OutlineChain& chain, const glm::dvec2& size) {
+    auto& points = chain.points;
+    if (chain.isClosed || points.size() < 3)
+        return;
+    straightenEnd(points[0], points[1], points[2], size);
+    const std::size_t last = points.size() - 1;
+    straightenEnd(points[last], points[last - 1], points[last - 2], size);
+}
+
 class Sharpener {
   public:
     Sharpener(const Plane& coverage, TexelSides& sides) : coverage_(coverage), sides_(sides) {}
@@ -142,6 +235,12 @@ class Sharpener {
         isRemoved_.assign(count, false);
         isKept_.assign(count, false);
         corners_.assign(count, std::nullopt);
+        linesInto_.clear();
+        linesOn_.clear();
+        for (int k = 0; k < points.count(); ++k) {
+            linesInto_.push_back(points.line(k, -1));
+            linesOn_.push_back(points.line(k, 1));
+        }
         const int longest = std::min(kMostBetween, points.count() - 3);
         for (int between = 0; between <= longest; ++between)
             for (int k = 0; k < points.count(); ++k)
@@ -152,13 +251,13 @@ class Sharpener {
   private:
     // Between points `last` and `next`.
     void tryCorner(const ChainPoints& points, int last, int next) {
-        if (!points.exists(next) || !isFree(points, last, next))
+        const std::optional<Line>& before = linesInto_[index(points, last)];
+        const std::optional<Line>& onwards = linesOn_[index(points, next)];
+        if (!before || !onwards || glm::dot(before->along, onwards->along) > kLeastTurn ||
+            !points.exists(next) || !isFree(points, last, next))
             return;
-        const std::optional<Line> before = points.line(last, -1);
-        const std::optional<Line> after = before ? points.line(next, 1) : std::nullopt;
-        if (!after)
-            return;
-        const std::optional<Corner> corner = meet(*before, *after);
+        const std::optional<Corner> corner =
+            meet(*before, Line{points.place(next), onwards->along});
         if (!corner || !explains(*corner, points, last, next))
             return;
         flipBetween(*corner, points, last, next);
@@ -231,6 +330,8 @@ class Sharpener {
     const Plane& coverage_;
     TexelSides& sides_;
     // Of the points of the chain at hand.
+    std::vector<std::optional<Line>> linesInto_;  // from the points before
+    std::vector<std::optional<Line>> linesOn_;    // to the points behind
     std::vector<bool> isRemoved_;
     std::vector<bool> isKept_;
     std::vector<std::optional<glm::dvec2>> corners_;  // that follow them
@@ -241,7 +342,14 @@ class Sharpener {
 void sharpenCorners(const Plane& coverage, std::vector<OutlineChain>& chains, TexelSides& sides) {
     Sharpener sharpener(coverage, sides);
     for (OutlineChain& chain : chains)
-        sharpener.sharpen(chain);
+        if (sides.wrap == WrapMode::Mirror && !chain.isClosed && chain.points.size() > 2) {
+            MirroredChain mirrored(chain, coverage);
+            sharpener.sharpen(mirrored.chain());
+            chain.points = mirrored.inTile();
+        } else {
+            sharpener.sharpen(chain);
+            straightenEnds(chain, {coverage.width, coverage.height});
+        }
 }
 
 }  // namespace relievo::preprocess

@@ -13,6 +13,9 @@ namespace relievo::preprocess {
 /// meet; if the two half planes explain the coverage of every texel around, each within 0.08.
 /// Nothing else may lie there then, so that no chain crosses another afterwards.
 ///
+/// Under mirror that holds for corners on the border as well; under clamp chains go straight on to
+/// it.
+///
 /// `sides` are those of the chains, under their wrap mode, and are kept up to date.
 void sharpenCorners(const textures::Plane& coverage, std::vector<OutlineChain>& chains,
                     TexelSides& sides);

@@ -50,10 +50,8 @@ class Tracer {
     std::vector<OutlineChain> trace() {
         if (!repeats_)
             traceFromBorders();
-        for (int j = 0; j < rows_; ++j)
-            for (int i = 0; i < columns_; ++i)
-                if (!isEven({first_ + i, first_ + j}))
-                    traceFrom({first_ + i, first_ + j});
+        for (int j = first_; j < first_ + rows_; ++j)
+            traceFromRow(j);
         return std::move(chains_);
     }
 
@@ -63,21 +61,6 @@ class Tracer {
                             textures::wrapIndex(j, coverage_.height, wrap_));
     }
     [[nodiscard]] bool isInside(int i, int j) const { return at(i, j) >= kHalf; }
-
-    // Whether the corners are all inside or all outside, as in most cells; at the border of the
-    // tile somebody else must see.
-    [[nodiscard]] bool isEven(Cell cell) const {
-        if (cell.i < 0 || cell.j < 0 || cell.i + 1 >= coverage_.width ||
-            cell.j + 1 >= coverage_.height)
-            return false;
-        const std::size_t width = static_cast<std::size_t>(coverage_.width);
-        const float* const row = coverage_.texels.data() +
-                                 static_cast<std::size_t>(cell.j) * width +
-                                 static_cast<std::size_t>(cell.i);
-        const int inside =
-            (row[0] >= 0.5f) + (row[1] >= 0.5f) + (row[width] >= 0.5f) + (row[width + 1] >= 0.5f);
-        return inside % 4 == 0;
-    }
 
     // Corners clockwise from the upper left one: a side lies between two that follow each other.
     [[nodiscard]] std::array<bool, 4> corners(Cell cell) const {
@@ -194,6 +177,31 @@ class Tracer {
                         static_cast<std::size_t>(i)];
     }
 
+    // Most cells have all corners inside or all outside: those within the tile are looked at many
+    // at a time.
+    void traceFromRow(int j) {
+        const int width = coverage_.width;
+        if (j < 0 || j + 1 >= coverage_.height) {
+            for (int i = first_; i < first_ + columns_; ++i)
+                traceFrom({i, j});
+            return;
+        }
+        const float* const upper = &coverage_.texels[coverage_.index(0, j)];
+        const float* const lower = upper + width;
+        isUneven_.resize(static_cast<std::size_t>(width));
+        for (int i = 0; i + 1 < width; ++i) {
+            const int inside = (upper[i] >= 0.5f) + (upper[i + 1] >= 0.5f) + (lower[i] >= 0.5f) +
+                               (lower[i + 1] >= 0.5f);
+            isUneven_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(inside & 3);
+        }
+        if (first_ < 0)
+            traceFrom({-1, j});
+        for (int i = 0; i + 1 < width; ++i)
+            if (isUneven_[static_cast<std::size_t>(i)] != 0)
+                traceFrom({i, j});
+        traceFrom({width - 1, j});
+    }
+
     void traceFrom(Cell cell) {
         const std::array<bool, 4> inside = corners(cell);
         for (const Side side : {kTop, kRight, kBottom, kLeft})
@@ -244,8 +252,9 @@ class Tracer {
     bool repeats_;
     int columns_;  // of the grid of cells
     int rows_;
-    int first_;                          // cell of it
-    std::vector<std::uint8_t> visited_;  // a bit for each side by which a chain came in
+    int first_;                           // cell of it
+    std::vector<std::uint8_t> isUneven_;  // cells of a row: not 0
+    std::vector<std::uint8_t> visited_;   // a bit for each side by which a chain came in
     std::vector<OutlineChain> chains_;
 };
 

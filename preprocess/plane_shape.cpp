@@ -6,6 +6,7 @@
 #include <cmath>
 #include <polyclipping/clipper.hpp>
 
+#include "preprocess/boundary_reach.h"
 #include "textures/input_error.h"
 
 namespace relievo::preprocess {
@@ -87,16 +88,6 @@ bool isOnSide(const IntPoint& a, const IntPoint& b, const Tile& tile, int copies
     return (a.X == b.X && isSide(a.X, tile.width)) || (a.Y == b.Y && isSide(a.Y, tile.height));
 }
 
-// Whether some of a segment is within half a tile of the tile: only there can it be the nearest.
-bool isNearTile(const BoundarySegment& segment, const glm::dvec2& size) {
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto [least, most] = std::minmax(segment.start[axis], segment.end[axis]);
-        if (most < -0.5 * size[axis] || least > 1.5 * size[axis])
-            return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 PlaneShape shapeOf(const outlines::Drawing& drawing, int width, int height, WrapMode wrap) {
@@ -119,10 +110,15 @@ PlaneShape shapeOf(const outlines::Drawing& drawing, int width, int height, Wrap
             const glm::dvec2 start(static_cast<double>(a.X), static_cast<double>(a.Y));
             const glm::dvec2 end(static_cast<double>(b.X), static_cast<double>(b.Y));
             shape.edges.push_back({start / texel, end / texel});
-            if (!isOnSide(a, b, tile, copies) &&
-                isNearTile(shape.edges.back(), glm::dvec2(width, height)))
+            if (!isOnSide(a, b, tile, copies))
                 shape.boundary.push_back(shape.edges.back());
         }
+    if (copies > 0) {
+        const double reach = boundaryReach(shape.boundary, width, height);
+        std::erase_if(shape.boundary, [&](const BoundarySegment& segment) {
+            return !isNearTile(segment, glm::dvec2(width, height), reach);
+        });
+    }
     return shape;
 }
 

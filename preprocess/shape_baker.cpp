@@ -6,9 +6,11 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <glm/vec2.hpp>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,9 +29,11 @@ namespace {
 using textures::Plane;
 using textures::ShapeMap;
 
-// What measureBoundaryDistances may be off: of the distance, and in texels.
-constexpr double kRelativeError = 0x1p-22;
-constexpr double kAbsoluteError = 1e-6;
+// Segments are measured in pieces of so many texels: the nearest is chosen in floats, which are off
+// by what they are of the distance to the ends of a piece.
+constexpr double kLongestPiece = 64.0;
+constexpr double kRelativeError = 0x1p-21;
+constexpr double kAbsoluteError = 1e-6;  // texels
 
 constexpr std::size_t kTexelsAtOnce = 1 << 16;
 
@@ -65,7 +69,17 @@ Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan
 float towardsZero(double texels, int width) {
     const double length = texels / width;
     const auto rounded = static_cast<float>(length);
-    return rounded > length ? std::nextafter(rounded, 0.0f) : rounded;
+    // The float before one above 0 has the number before it.
+    return rounded > length ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) - 1)
+                            : rounded;
+}
+
+// The greatest result of work(range of texels, greatest so far).
+template <typename Work>
+double greatestOver(const Plane& plane, const Work& work) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, plane.texels.size(), kTexelsAtOnce), 0.0, work,
+        [](double a, double b) { return std::max(a, b); });
 }
 
 // From distances of either sign in texels to what of them is sure, in tile widths. Returns the most
@@ -74,16 +88,14 @@ double makeSure(Plane& distance) {
     const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
         for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
             const double measured = std::abs(static_cast<double>(distance.texels[t]));
-            const double off = kRelativeError * measured + kAbsoluteError;
+            const double off = kRelativeError * (measured + kLongestPiece) + kAbsoluteError;
             const float sure = towardsZero(std::max(measured - off, 0.0), distance.width);
             most = std::max(most, (measured + off) / distance.width - static_cast<double>(sure));
             distance.texels[t] = std::copysign(sure, distance.texels[t]);
         }
         return most;
     };
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, distance.texels.size(), kTexelsAtOnce), 0.0, work,
-        [](double a, double b) { return std::max(a, b); });
+    return greatestOver(distance, work);
 }
 
 // Rounds distances to the format. Returns the most that it takes.
@@ -120,13 +132,16 @@ void setUnsigned(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
         std::ranges::fill(map.distance.texels, static_cast<float>(unlimited(shape)));
         return;
     }
-    double most = 0.0;
-    for (std::size_t t = 0; t < squares.texels.size(); ++t) {
-        const double texels = std::sqrt(static_cast<double>(squares.texels[t]));
-        map.distance.texels[t] = towardsZero(texels, shape.width);
-        most = std::max(most, texels / shape.width - static_cast<double>(map.distance.texels[t]));
-    }
-    map.slack = most;
+    const auto work = [&](const tbb::blocked_range<std::size_t>& range, double most) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            const double texels = std::sqrt(static_cast<double>(squares.texels[t]));
+            const float stored = towardsZero(texels, shape.width);
+            map.distance.texels[t] = stored;
+            most = std::max(most, texels / shape.width - static_cast<double>(stored));
+        }
+        return most;
+    };
+    map.slack = greatestOver(map.distance, work);
 }
 
 // How much of a texel is inside a straight outline at `distance` (texels, > 0 outside) from its
@@ -170,11 +185,41 @@ void orient(const Sampled& shape, ShapeMap& map) {
         });
 }
 
+Plane binaryShape(const Sampled& shape) {
+    Plane result(shape.width, shape.height);
+    std::ranges::copy(shape.inside, result.texels.begin());
+    return result;
+}
+
+std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segments) {
+    std::vector<BoundarySegment> pieces;
+    for (const auto& [start, end] : segments) {
+        const int count =
+            1 + static_cast<int>(std::floor(glm::distance(start, end) / kLongestPiece));
+        glm::dvec2 last = start;
+        for (int k = 1; k < count; ++k) {
+            const glm::dvec2 next = glm::mix(start, end, static_cast<double>(k) / count);
+            pieces.push_back({last, next});
+            last = next;
+        }
+        pieces.push_back({last, end});
+    }
+    return pieces;
+}
+
 ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
                  const std::function<void(std::size_t)>& advance) {
     if (shape.boundary.empty())
         return levelMap(shape, plan);
-    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(shape.boundary),
+    if (!plan.isSigned && plan.gradient != 0) {  // the form of the thesis has no outline
+        ShapeMap map;
+        map.shape = binaryShape(shape);
+        setUnsigned(shape, plan, map);
+        if (advance)
+            advance(map.shape.texels.size());
+        return map;
+    }
+    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(inPieces(shape.boundary)),
                                                        shape.width, shape.height, advance);
     ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};
     orient(shape, map);

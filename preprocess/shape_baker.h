@@ -29,7 +29,8 @@ inline constexpr double kUnlimitedDiagonals = 4.0;
 /// along its normal: nowhere (0,0). Prewitt's are those of the stored distances, and (0,0) where
 /// these are level. `shape` is the coverage of a bitmap, or of drawings what a straight outline at
 /// that distance covers of the texel; where it contradicts the texel's centre it is drawn to 1/2,
-/// so that distances of at most 0 go with at least a half, and others with at most a half.
+/// so that distances of at most 0 go with at least a half, and others with at most a half. Unsigned
+/// with Prewitt's gradients, as in the thesis, it is 1 or 0.
 ///
 /// `advance`, when given, is called from any thread with the number of texels just finished. The
 /// same for any number of threads. Throws textures::InputError for coordinates that make no sense.

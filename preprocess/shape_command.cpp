@@ -14,6 +14,7 @@
 #include "preprocess/memory_need.h"
 #include "preprocess/shape_baker.h"
 #include "textures/atomic_file.h"
+#include "textures/file_extension.h"
 #include "textures/image_reader.h"
 #include "textures/input_error.h"
 #include "textures/map_file.h"
@@ -39,7 +40,7 @@ bool exists(const std::string& file) {
 }
 
 bool isDrawing(const std::string& source) {
-    return !exists(source) || std::filesystem::path(source).extension() == ".svg";
+    return !exists(source) || textures::lowerExtension(source) == ".svg";
 }
 
 ShapePlan planOf(const ShapeArguments& arguments) {
@@ -112,7 +113,8 @@ bool isUpToDate(const ShapeArguments& arguments, const ShapePlan& plan, const Sh
         return false;
     try {
         const MapSet old = textures::readMapDescription(arguments.output);
-        const textures::ImageInfo info = textures::ImageReader(arguments.output).info();
+        const textures::ImageInfo info =
+            textures::ImageReader(arguments.output, textures::kLargestMap).info();
         const auto options = old.attributes.find("relievo:options");
         return old.source == source.hash && old.wrap == plan.wrap &&
                old.version == textures::kVersion && options != old.attributes.end() &&

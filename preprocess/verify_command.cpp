@@ -9,6 +9,7 @@
 
 #include "commands/program.h"
 #include "commands/progress.h"
+#include "preprocess/verify_shape.h"
 #include "reference/guarantee_check.h"
 #include "textures/input_error.h"
 #include "textures/wrap_mode.h"
@@ -123,8 +124,8 @@ void addOptionsForOtherTools(CLI::App& command, VerifyArguments& arguments) {
 }  // namespace
 
 CLI::App* addVerifyCommand(CLI::App& app, VerifyArguments& arguments) {
-    CLI::App* command =
-        app.add_subcommand("verify", "Check by exact rays that cones keep their promise");
+    CLI::App* command = app.add_subcommand(
+        "verify", "Check by exact rays that cones and shape distances keep their promise");
     command->add_option("FILE", arguments.file, "Map file, or image of another tool")->required();
     command->add_option("--rays", arguments.rays, "Rays to draw for each map")
         ->check(CLI::Range(1.0, kMostRays))
@@ -136,6 +137,7 @@ CLI::App* addVerifyCommand(CLI::App& app, VerifyArguments& arguments) {
         "Ratios are in tile widths per unit of depth. Exit status 1 unless no ray breaks the "
         "promise.\n"
         "Examples:\n"
+        "  relievo-bake verify star.exr --seed 7\n"
         "  relievo-bake verify bricks.exr --rays 1e7\n"
         "  relievo-bake verify other.png --cone-channel B --depth-channel A --input depth "
         "--kind relaxed");
@@ -148,6 +150,10 @@ void runVerifyCommand(const VerifyArguments& arguments) {
             fmt::format("--rays {}: expected a whole number", arguments.rays));
     if (!std::isfinite(arguments.coneScale.value_or(1.0)))  // passes every check of a range
         throw commands::UsageError("--cone-scale: expected a number");
+    if (isShapeFile(arguments.file)) {
+        verifyShape(arguments);
+        return;
+    }
     const std::vector<ConesToVerify> all = readConesToVerify(arguments);
     std::uint64_t violations = 0;
     Json checks = Json::array();

@@ -33,27 +33,6 @@ std::string orElse(const std::string& word, const char* otherwise) {
     return word.empty() ? otherwise : word;
 }
 
-// A map file says itself what these options say; to have them contradict it helps nobody.
-void refuseOptionsOfOtherTools(const VerifyArguments& arguments) {
-    const std::pair<const char*, bool> given[] = {
-        {"--depth", !arguments.depthFile.empty()},
-        {"--depth-channel", !arguments.depthChannel.empty()},
-        {"--cone-channel", !arguments.coneChannel.empty()},
-        {"--roof-channel", !arguments.roofChannel.empty()},
-        {"--kind", !arguments.kind.empty()},
-        {"--encode", !arguments.encoding.empty()},
-        {"--wrap", !arguments.wrap.empty()},
-        {"--input", !arguments.input.empty()},
-        {"--cone-scale", arguments.coneScale.has_value()},
-    };
-    for (const auto& [option, isGiven] : given)
-        if (isGiven)
-            throw UsageError(
-                fmt::format("{}: is a map file of relievo-bake, which describes itself; {} is for "
-                            "files of other tools",
-                            arguments.file, option));
-}
-
 // The attribute `name` of `maps`, or `otherwise` when it has none.
 std::string attributeOf(const textures::MapSet& maps, const std::string& name,
                         const std::string& otherwise) {
@@ -192,6 +171,26 @@ std::vector<ConesToVerify> conesOfOtherTool(const VerifyArguments& arguments) {
 }
 
 }  // namespace
+
+void refuseOptionsOfOtherTools(const VerifyArguments& arguments) {
+    const std::pair<const char*, bool> given[] = {
+        {"--depth", !arguments.depthFile.empty()},
+        {"--depth-channel", !arguments.depthChannel.empty()},
+        {"--cone-channel", !arguments.coneChannel.empty()},
+        {"--roof-channel", !arguments.roofChannel.empty()},
+        {"--kind", !arguments.kind.empty()},
+        {"--encode", !arguments.encoding.empty()},
+        {"--wrap", !arguments.wrap.empty()},
+        {"--input", !arguments.input.empty()},
+        {"--cone-scale", arguments.coneScale.has_value()},
+    };
+    for (const auto& [option, isGiven] : given)
+        if (isGiven)
+            throw UsageError(
+                fmt::format("{}: is a map file of relievo-bake, which describes itself; {} is for "
+                            "files of other tools",
+                            arguments.file, option));
+}
 
 std::vector<ConesToVerify> readConesToVerify(const VerifyArguments& arguments) {
     return textures::isMapFile(arguments.file) ? conesOfMapFile(arguments)

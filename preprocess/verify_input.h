@@ -44,6 +44,10 @@ struct ConesToVerify {
     std::variant<SurfaceCones, reference::RoofMap> cones;
 };
 
+/// Throws UsageError when an option is given that is for files of other tools: a map file says
+/// itself what these options say, and to have them contradict it helps nobody.
+void refuseOptionsOfOtherTools(const VerifyArguments& arguments);
+
 /// The maps with a promise in a map file, or in an image of another tool as the arguments describe
 /// it. Throws InputError for a file that cannot be read, holds no cones or values that cannot be
 /// cones, and UsageError for options that do not go with the file.

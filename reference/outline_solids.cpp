@@ -155,8 +155,10 @@ std::optional<double> sphereTrace(const Distance& distance, double speed, Stretc
     return std::nullopt;
 }
 
+// Of a level end of the solid which the ray comes upon; a level ray runs along one of the caps.
 glm::dvec3 capNormal(const SolidRay& ray) {
-    return {0.0, 0.0, ray.direction.z > 0.0 ? -1.0 : 1.0};
+    const bool isFromAbove = ray.direction.z != 0.0 ? ray.direction.z > 0.0 : ray.origin.z < 0.5;
+    return {0.0, 0.0, isFromAbove ? -1.0 : 1.0};
 }
 
 // Not on a cap: a ray that begins there hits it at once, as those of mapped surfaces do.

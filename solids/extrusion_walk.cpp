@@ -46,7 +46,7 @@ ExtrusionWalk::ExtrusionWalk(const Solid& solid, const FreeSpace* freeSpace, con
         lowestOffset_ = std::min({lowestOffset_, p.topOffset, p.bottomOffset});
         highestOffset_ = std::max({highestOffset_, p.topOffset, p.bottomOffset});
     }
-    nextPiece();
+    findPieceExit();
     findExit();
 }
 
@@ -60,8 +60,17 @@ std::optional<SolidCrossing> ExtrusionWalk::next() {
     return pending_[firstPending_++];
 }
 
-// Finds where the current piece ends.
-void ExtrusionWalk::nextPiece() noexcept {
+void ExtrusionWalk::stepPiece() noexcept {
+    const ProfilePiece& before = piece();
+    const bool down = span_.direction.z > 0.0;
+    piece_ = down ? piece_ + 1 : piece_ - 1;
+    border_ = Border::Piece;
+    stepAtBorder_ =
+        down ? before.bottomOffset != piece().topOffset : before.topOffset != piece().bottomOffset;
+    findPieceExit();
+}
+
+void ExtrusionWalk::findPieceExit() noexcept {
     const double speed = span_.direction.z;
     const bool isLast =
         speed == 0.0 || (speed > 0.0 ? piece_ + 1 == solid_->profile.pieces.size() : piece_ == 0);
@@ -78,13 +87,7 @@ void ExtrusionWalk::step() noexcept {
     entry_ = exit_;
     border_ = Border::Cell;
     if (pieceExit_ <= columnExit_ && pieceExit_ <= rowExit_) {
-        border_ = Border::Piece;
-        const ProfilePiece& before = piece();
-        const bool down = span_.direction.z > 0.0;
-        piece_ = down ? piece_ + 1 : piece_ - 1;
-        stepAtBorder_ = down ? before.bottomOffset != piece().topOffset
-                             : before.topOffset != piece().bottomOffset;
-        nextPiece();
+        stepPiece();
     } else if (columnExit_ <= rowExit_) {
         columns_.step();
         columnExit_ = columns_.exit();
@@ -95,14 +98,23 @@ void ExtrusionWalk::step() noexcept {
     findExit();
 }
 
-// Over the space around the entry that is all outside or all inside, if that leads out of the cell.
-bool ExtrusionWalk::jump(double distance) noexcept {
+// How far the ray is free from the entry on: all outside or all inside.
+double ExtrusionWalk::freeUntil(double distance, double clearance) const noexcept {
+    const double radius = freeSpace_->radius(distance, lowestOffset_, highestOffset_);
+    const double whole =
+        radius > 0.0 ? (texelSpeed_ > 0.0 ? entry_ + radius / texelSpeed_ : kInfinity) : entry_;
+    // Or in this piece of the profile.
+    const double sign = clearance > 0.0 ? 1.0 : -1.0;
+    const double inPiece = freeSpace_->duration(
+        distance, sign * clearance, sign * piece().slope() * span_.direction.z, texelSpeed_);
+    return std::max(whole, std::min(entry_ + inPiece, pieceExit_));
+}
+
+// Over free space, if that leads out of the cell.
+bool ExtrusionWalk::jump(double distance, double clearance) noexcept {
     if (freeSpace_ == nullptr)
         return false;
-    const double radius = freeSpace_->radius(distance, lowestOffset_, highestOffset_);
-    if (radius < 1.0)
-        return false;
-    const double target = texelSpeed_ > 0.0 ? entry_ + radius / texelSpeed_ : kInfinity;
+    const double target = freeUntil(distance, clearance);
     if (!(target > exit_))
         return false;
     entry_ = std::min(target, span_.end);
@@ -112,10 +124,8 @@ bool ExtrusionWalk::jump(double distance) noexcept {
         rows_.jump(entry_);
         columnExit_ = columns_.exit();
         rowExit_ = rows_.exit();
-        while (pieceExit_ <= entry_) {
-            piece_ = span_.direction.z > 0.0 ? piece_ + 1 : piece_ - 1;
-            nextPiece();
-        }
+        while (pieceExit_ <= entry_)
+            stepPiece();
     }
     findExit();
     return true;
@@ -167,7 +177,7 @@ void ExtrusionWalk::walkOn() {
         const SolidFace face = borderFace(clearance.constant);
         toggle(entry_, face, outwardAt(face, cell, entry_));
     }
-    if (jump(distance)) {
+    if (jump(distance, clearance.constant)) {
         if (cost_ != nullptr)
             ++cost_->jumps;
         if (entry_ >= span_.end)

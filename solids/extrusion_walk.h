@@ -33,8 +33,10 @@ class ExtrusionWalk {
     void finish() noexcept;
     void findExit() noexcept;
     void step() noexcept;
-    [[nodiscard]] bool jump(double distance) noexcept;
-    void nextPiece() noexcept;
+    [[nodiscard]] double freeUntil(double distance, double clearance) const noexcept;
+    [[nodiscard]] bool jump(double distance, double clearance) noexcept;
+    void stepPiece() noexcept;
+    void findPieceExit() noexcept;
     void toggle(double t, SolidFace face, const glm::dvec3& outward) noexcept;
     [[nodiscard]] SolidFace borderFace(double value) const noexcept;
     [[nodiscard]] glm::dvec3 outwardAt(SolidFace face, const reference::BilinearCell& cell,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 namespace relievo::solids {
 namespace {
@@ -12,6 +12,10 @@ using textures::wrapIndex;
 
 // Distances are stored as floats: what rounding to the nearest one may add to or take from them.
 constexpr double kFloatRounding = 0x1p-23;
+// What computing a clearance in doubles may.
+constexpr double kDoubleRounding = 0x1p-48;
+constexpr double kSafety = 1.0 - 1e-12;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The largest difference between neighbours, in tile widths.
 double largestStep(const Plane& distance, textures::WrapMode wrap) {
@@ -29,40 +33,52 @@ double largestStep(const Plane& distance, textures::WrapMode wrap) {
 }  // namespace
 
 FreeSpace::FreeSpace(const textures::ShapeMap& map, textures::WrapMode wrap, bool isDistance)
-    : texels_(map.width()), slack_(map.slack) {
-    const double step = largestStep(map.distance, wrap);
+    : texels_(map.width()), slack_(map.slack * map.width()) {
+    const double steepest = largestStep(map.distance, wrap) * texels_;
     double farthest = 0.0;
     for (const float d : map.distance.texels)
-        farthest = std::max(farthest, std::abs(static_cast<double>(d)));
-    const double allowed = 1.0 / texels_ + slack_ + 2.0 * kFloatRounding * farthest;
-    isDistance_ = isDistance && step <= allowed;
-    steepest_ = std::max(step * texels_, 0x1p-500);
+        farthest = std::max(farthest, std::abs(static_cast<double>(d)) * texels_);
+    isDistance_ = isDistance && steepest <= 1.0 + slack_ + 2.0 * kFloatRounding * farthest;
+    // Of a constant map the reach has no end, but the square of a number.
+    measuredFactor_ = 0.5 / (std::max(steepest, 1e-30) * std::max(steepest, 1e-30));
 }
 
-double FreeSpace::uncertainty(double distance) const noexcept {
-    return (isDistance_ ? slack_ : 0.0) + 4.0 * kFloatRounding * std::abs(distance);
-}
-
-double FreeSpace::change(double texels) const noexcept {
-    const double gentle = std::numbers::sqrt2 * texels;
+std::array<ReachTerm, 3> FreeSpace::terms(double distance) const noexcept {
+    const double size = std::abs(distance) * texels_;
+    const double rounded = slack_ + 4.0 * kFloatRounding * size;
+    const ReachTerm measured{measuredFactor_, 0.0, kDoubleRounding * size};
     if (!isDistance_)
-        return gentle * steepest_ / texels_;
-    return std::min(gentle, std::sqrt(texels * texels + 0.5)) / texels_;
-}
-
-double FreeSpace::reach(double lengths) const noexcept {
-    if (!(lengths > 0.0))
-        return 0.0;
-    const double f = lengths * texels_;
-    const double gentle = f / std::numbers::sqrt2;
-    if (!isDistance_)
-        return gentle / steepest_;
-    return std::max(gentle, std::sqrt(std::max(0.0, f * f - 0.5)));
+        return {measured, measured, measured};
+    return {measured, ReachTerm{0.5, 0.0, rounded}, ReachTerm{1.0, 0.5, rounded}};
 }
 
 double FreeSpace::radius(double distance, double low, double high) const noexcept {
-    const double clear = std::max(distance - high, low - distance);
-    return reach(clear - uncertainty(distance));
+    const double clear = std::max(distance - high, low - distance) * texels_;
+    double square = 0.0;
+    for (const ReachTerm& term : terms(distance)) {
+        const double sure = std::max(0.0, clear - term.uncertainty);
+        square = std::max(square, term.factor * sure * sure - term.less);
+    }
+    return std::sqrt(square);
+}
+
+double FreeSpace::duration(double distance, double clear, double closing,
+                           double speed) const noexcept {
+    double longest = 0.0;
+    for (const ReachTerm& term : terms(distance)) {
+        const double sure = clear * texels_ - term.uncertainty;
+        const double rate = std::max(0.0, closing) * texels_;
+        const double square = term.factor * sure * sure - term.less;
+        if (!(sure > 0.0) || !(square > 0.0))
+            continue;
+        // The first root of factor·(sure − rate·t)² = (speed·t)² + less, without cancellation.
+        const double half = term.factor * rate * sure;
+        const double root =
+            std::sqrt(term.factor * rate * rate * term.less + speed * speed * square);
+        const double divisor = half + root;
+        longest = std::max(longest, divisor > 0.0 ? square / divisor : kInfinity);
+    }
+    return kSafety * longest;
 }
 
 }  // namespace relievo::solids

@@ -1,44 +1,55 @@
 #pragma once
 
+#include <array>
+
 #include "textures/shape_map.h"
 
 namespace relievo::solids {
 
-/// How far from a place the bilinear distance of a map keeps clear of a range of offsets.
+/// Where d is clear of a value by c texels here, it is clear of it within the radius r texels:
+/// r² = factor·max(0, c − uncertainty)² − less, where that is positive.
+struct ReachTerm {
+    double factor = 0.0;
+    double less = 0.0;
+    double uncertainty = 0.0;
+};
+
+/// How far from a place the bilinear distance of a map keeps clear of an offset: as far as the
+/// farthest of three bounds.
 ///
-/// The bilinear interpolation at p is the mean of the samples at p rounded at random to one of the
-/// four texels around it. Rounding p and q by the same random numbers brings them √(r² + ½) apart
-/// at most in the mean, r = |p − q| in texels. Samples of a distance differ by no more than their
-/// places do, so d changes by at most min(√2·r, √(r² + ½)) + slack. Of a map that is no distance
-/// neighbours differ by λ texels, and d changes by at most √2·λ·r.
+/// Neighbouring texels differ by λ texels at most; that is measured, of whatever a map holds. Then
+/// d changes by no more than √2·λ per texel. Samples of a distance differ by no more than their
+/// places do, which says more from afar: the bilinear interpolation at p is the mean of the samples
+/// at p rounded at random to one of the four texels around it, and rounding p and q by the same
+/// random numbers brings them √(r² + ½) apart at most in the mean, r = |p − q| in texels. So d
+/// changes by at most min(√2·r, √(r² + ½)) and what rounding has taken from the samples.
 class FreeSpace {
   public:
-    /// `isDistance`: the samples are distances as their map's wrap mode has them, nearer to 0 by at
-    /// most its slack. Where neighbours differ by more than a texel they can not be, and the claim
-    /// is not believed. `wrap`: how the map is read.
+    /// `isDistance`: the samples are distances as `wrap` continues them, nearer to 0 by at most the
+    /// map's slack. Where neighbours differ by more than a texel they can not be, and the claim is
+    /// not believed. `wrap`: how the map is read.
     FreeSpace(const textures::ShapeMap& map, textures::WrapMode wrap, bool isDistance);
 
-    /// By how much d changes at least within `texels` of a place; the inverse of `reach`.
-    [[nodiscard]] double change(double texels) const noexcept;
-    /// The radius, in texels, within which d changes by less than `lengths` tile widths; 0 for
-    /// lengths ≤ 0.
-    [[nodiscard]] double reach(double lengths) const noexcept;
-    /// The radius in texels within which d is not in [low, high], when it is `distance` here; 0
-    /// when that is in it.
+    /// The bounds near a place where d is `distance` (tile widths).
+    [[nodiscard]] std::array<ReachTerm, 3> terms(double distance) const noexcept;
+    /// The radius in texels within which d is not in [low, high], where it is `distance` in the
+    /// middle; 0 when that is in it. All in tile widths.
     [[nodiscard]] double radius(double distance, double low, double high) const noexcept;
 
-    /// Tile widths that `reach` does not count on: what rounding has taken from the samples near
-    /// a place of that distance.
-    [[nodiscard]] double uncertainty(double distance) const noexcept;
+    /// How long d keeps clear of an offset that it is clear of by `clear` tile widths here, where d
+    /// is `distance`, and that comes nearer by `closing` per unit of a parameter (one that goes
+    /// away is taken to stay) while the place moves by `speed` ≥ 0 texels.
+    [[nodiscard]] double duration(double distance, double clear, double closing,
+                                  double speed) const noexcept;
+
     [[nodiscard]] bool isDistance() const noexcept { return isDistance_; }
-    /// The largest change of d per texel, in texels.
-    [[nodiscard]] double steepest() const noexcept { return steepest_; }
+    /// Of a tile width.
     [[nodiscard]] double texels() const noexcept { return texels_; }
 
   private:
-    double texels_;  // in a tile width
-    double slack_;   // tile widths
-    double steepest_ = 0.0;
+    double texels_;
+    double slack_;  // texels
+    double measuredFactor_ = 0.0;
     bool isDistance_ = false;
 };
 

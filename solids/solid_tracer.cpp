@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "solids/part_walk.h"
@@ -16,12 +17,13 @@ using reference::AxisWalk;
 using textures::InputError;
 using textures::WrapMode;
 
+// The last row of an inverse that somebody has computed is 0, 0, 0, 1 up to a rounding.
 bool isAffine(const glm::dmat4& m) {
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row)
+        for (int row = 0; row < 3; ++row)
             if (!std::isfinite(m[column][row]))
                 return false;
-        if (m[column][3] != (column < 3 ? 0.0 : 1.0))
+        if (!(std::abs(m[column][3] - (column < 3 ? 0.0 : 1.0)) <= 1e-9))
             return false;
     }
     return true;
@@ -58,23 +60,13 @@ double bilinear(const textures::Plane& plane, const AxisWalk& column, const Axis
     return cell.depth({column.local(0.0), row.local(0.0)});
 }
 
-double sectionDistance(const Solid& solid, const glm::dvec3& place) {
-    const textures::Plane& d = solid.shape->distance;
-    const glm::dvec3 tile = glm::floor(place);
-    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
-    const bool isUpsideDown =
-        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
-    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
-    return bilinear(d,
-                    {std::hypot(radial.x, radial.y) * d.width - 0.5, 0.0, d.width, WrapMode::Clamp},
-                    {z * d.height - 0.5, 0.0, d.height, WrapMode::Clamp});
-}
-
 // The parts of a compound along a ray, from event to event.
 class CompoundWalk {
   public:
     CompoundWalk(const SolidTracer& tracer, const SolidRay& ray, TraceCost* cost)
         : compound_(tracer.compound()), isInside_(tracer.compound().parts.size(), 0) {
+        const double speed = glm::length(ray.direction);
+        originReach_ = speed > 0.0 ? glm::length(ray.origin) / speed : 0.0;
         walks_.reserve(compound_.parts.size());
         for (std::size_t k = 0; k < compound_.parts.size(); ++k) {
             walks_.emplace_back(compound_.parts[k], tracer.freeSpace(k), ray, tracer.options(),
@@ -88,27 +80,30 @@ class CompoundWalk {
         std::size_t part;
     };
 
-    // The first crossing of a part after which, all of that t being done, the whole is solid.
+    // The first crossing of a part after which the whole is solid, for longer than a rounding.
     std::optional<Event> findEntry() {
+        std::optional<Event> entry;
         while (const std::optional<double> t = nextPlace()) {
-            std::optional<Event> entry;
-            bool wasSolid = false;
+            if (entry && *t - entry->crossing.t > sliver(entry->crossing.t))
+                return entry;
             for (std::size_t k = 0; k < walks_.size(); ++k)
                 while (next_[k] && next_[k]->t == *t) {
+                    const bool wasSolid = entry.has_value();
                     isInside_[k] = next_[k]->enters ? 1 : 0;
-                    const bool isSolid = joined(compound_, isInside_);
-                    if (isSolid && !wasSolid)
+                    if (!joined(compound_, isInside_))
+                        entry.reset();
+                    else if (!wasSolid)
                         entry = Event{*next_[k], k};
-                    wasSolid = isSolid;
                     next_[k] = walks_[k].next();
                 }
-            if (wasSolid)
-                return entry;
         }
-        return std::nullopt;
+        return entry;
     }
 
   private:
+    // Faces of two parts that coincide are apart by a rounding if their matrices differ.
+    [[nodiscard]] double sliver(double t) const { return 0x1p-44 * (originReach_ + t); }
+
     [[nodiscard]] std::optional<double> nextPlace() const {
         std::optional<double> nearest;
         for (const std::optional<SolidCrossing>& crossing : next_)
@@ -118,6 +113,7 @@ class CompoundWalk {
     }
 
     const Compound& compound_;
+    double originReach_ = 0.0;  // in the parameter of the ray
     std::vector<PartWalk> walks_;
     std::vector<std::optional<SolidCrossing>> next_;
     std::vector<char> isInside_;
@@ -144,9 +140,20 @@ bool joined(const Compound& compound, const std::vector<char>& isInside) noexcep
     return whole;
 }
 
+double sectionDistance(const Solid& solid, const glm::dvec3& tile, const glm::dvec3& place) {
+    const textures::Plane& d = solid.shape->distance;
+    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
+    const bool isUpsideDown =
+        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
+    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
+    return bilinear(d,
+                    {std::hypot(radial.x, radial.y) * d.width - 0.5, 0.0, d.width, WrapMode::Clamp},
+                    {z * d.height - 0.5, 0.0, d.height, WrapMode::Clamp});
+}
+
 double distanceAt(const Solid& solid, const glm::dvec3& place) {
     if (solid.kind == SolidKind::Revolution)
-        return sectionDistance(solid, place);
+        return sectionDistance(solid, glm::floor(place), place);
     const textures::ShapeMap& map = *solid.shape;
     return bilinear(map.distance, {place.x * map.width() - 0.5, 0.0, map.width(), map.wrap},
                     {place.y * map.height() - 0.5, 0.0, map.height(), map.wrap});
@@ -206,7 +213,13 @@ bool SolidTracer::contains(std::size_t index, const glm::dvec3& point) const {
         if (!(std::abs(place[axis]) < 0x1p51) || place[axis] < part.windowMinimum[axis] ||
             place[axis] > part.windowMaximum[axis])
             return false;
-    return solids::contains(part.solid, place);
+    if (part.solid.kind == SolidKind::Extrusion)
+        return solids::contains(part.solid, place);
+    glm::dvec3 tile = glm::floor(place);
+    for (int axis = 0; axis < 3; ++axis)
+        if (tile[axis] == part.windowMaximum[axis] && part.windowMinimum[axis] < tile[axis])
+            tile[axis] -= 1.0;
+    return sectionDistance(part.solid, tile, place) <= part.solid.extension;
 }
 
 bool SolidTracer::contains(const glm::dvec3& point) const {

@@ -71,7 +71,8 @@ class SolidTracer {
 
     /// Whether a point of the whole's space is inside, evaluated directly.
     [[nodiscard]] bool contains(const glm::dvec3& point) const;
-    /// Whether it is inside of part `index` by itself.
+    /// Whether it is inside of part `index` by itself. On the far border of a window it belongs to
+    /// the replica in the window.
     [[nodiscard]] bool contains(std::size_t index, const glm::dvec3& point) const;
 
     [[nodiscard]] const Compound& compound() const noexcept { return compound_; }
@@ -97,5 +98,10 @@ class SolidTracer {
 
 /// d of an extrusion at (u,v), or of the section of a revolution, in the replica of that place.
 [[nodiscard]] double distanceAt(const Solid& solid, const glm::dvec3& place);
+
+/// d of the section of a revolution, clamped, as the replica of tile `tile` (integers) has it at a
+/// place in it or beside it.
+[[nodiscard]] double sectionDistance(const Solid& solid, const glm::dvec3& tile,
+                                     const glm::dvec3& place);
 
 }  // namespace relievo::solids

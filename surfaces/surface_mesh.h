@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 namespace relievo::surfaces {
@@ -19,11 +20,15 @@ struct SurfaceVertex {
     glm::vec2 uv;
 };
 
+/// The border of a window that ends nowhere.
+inline constexpr float kNoBorder = std::numeric_limits<float>::infinity();
+
 /// A coarse triangle mesh with tangent frames; triangles are counter-clockwise from outside.
 struct SurfaceMesh {
     std::vector<SurfaceVertex> vertices;
     std::vector<std::uint32_t> indices;
-    /// The part of (u,v) that every face covers; the relief ends there.
+    /// The part of (u,v) that every face covers; the relief ends there. Curved surfaces have
+    /// windows without borders: the relief goes on as its map is wrapped.
     glm::vec2 windowMinimum{0.0f};
     glm::vec2 windowMaximum{1.0f};
 };

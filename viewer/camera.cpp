@@ -15,7 +15,8 @@ struct ClipPlanes {
 };
 
 ClipPlanes clipPlanes(const OrbitCamera& orbit) {
-    return {std::max(0.01f, orbit.distance * 0.02f), orbit.distance + 20.0f};
+    return {std::max(0.01f, orbit.distance * 0.02f),
+            orbit.distance + std::max(20.0f, 4.0f * orbit.distance)};
 }
 
 // The planes in the order in which a projection of glm takes them to the ends of its interval.

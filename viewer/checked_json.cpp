@@ -91,10 +91,6 @@ bool CheckedJson::isString() const noexcept {
     return value_->is_string();
 }
 
-bool CheckedJson::isObject() const noexcept {
-    return value_->is_object();
-}
-
 bool CheckedJson::has(std::string_view key) const {
     return find(key).has_value();
 }

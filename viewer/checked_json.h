@@ -36,7 +36,6 @@ class CheckedJson {
     void expectKeys(std::initializer_list<std::string_view> keys) const;
     [[nodiscard]] bool has(std::string_view key) const;
     [[nodiscard]] bool isString() const noexcept;
-    [[nodiscard]] bool isObject() const noexcept;
     /// A member of the object; `at` throws without it.
     [[nodiscard]] std::optional<CheckedJson> find(std::string_view key) const;
     [[nodiscard]] CheckedJson at(std::string_view key) const;

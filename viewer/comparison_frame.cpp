@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "textures/input_error.h"
+#include "viewer/carrier_mesh.h"
 #include "viewer/error_image.h"
 #include "viewer/heat_map.h"
 #include "viewer/view_session.h"
@@ -140,7 +141,7 @@ SceneRenderer& ComparisonFrame::reliefOf(const WindowSettings& settings) {
     const ViewOptions& options = settings.options;
     if (relief.object != options.object || relief.tiles != options.tiles) {
         relief.renderer->setSurface(
-            makeObject(options, static_cast<float>(relief.renderer->depthMap().aspect())));
+            makeCarrier(options, static_cast<float>(relief.renderer->depthMap().aspect())));
         relief.object = options.object;
         relief.tiles = options.tiles;
     }

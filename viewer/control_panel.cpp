@@ -168,6 +168,23 @@ bool slider(const char* name, float& value, float least, float most, const char*
     return ImGui::SliderFloat(name, &value, least, most, format, flags);
 }
 
+// A mesh file can be chosen where the command line named one.
+void objectButtons(ViewOptions& options) {
+    int object = static_cast<int>(options.object);
+    const auto button = [&](const char* name, ObjectKind kind) {
+        ImGui::RadioButton(name, &object, static_cast<int>(kind));
+    };
+    button("quad", ObjectKind::Quad);
+    ImGui::SameLine(kPanelWidth / 2.0f);
+    button("box", ObjectKind::Box);
+    button("sphere", ObjectKind::Sphere);
+    ImGui::SameLine(kPanelWidth / 2.0f);
+    button("torus", ObjectKind::Torus);
+    if (!options.meshFile.empty())
+        button(options.meshFile.filename().string().c_str(), ObjectKind::File);
+    options.object = static_cast<ObjectKind>(object);
+}
+
 void sceneControls(WindowSettings& settings) {
     if (!section("scene", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -178,11 +195,7 @@ void sceneControls(WindowSettings& settings) {
     ImGui::SetNextItemWidth(kSliderWidth);
     ImGui::SliderFloat2("tiles u, v", &options.tiles.x, 0.25f, 16.0f, "%.2f",
                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    int object = static_cast<int>(options.object);
-    ImGui::RadioButton("quad", &object, static_cast<int>(ObjectKind::Quad));
-    ImGui::SameLine(kPanelWidth / 2.0f);
-    ImGui::RadioButton("box", &object, static_cast<int>(ObjectKind::Box));
-    options.object = static_cast<ObjectKind>(object);
+    objectButtons(options);
 }
 
 void lightControls(ViewOptions& options) {

@@ -80,7 +80,7 @@ std::vector<std::string_view> filesOf(const SceneObject& object) {
 }
 std::vector<std::string_view> searchFilesOf(const SceneObject& object) {
     if (object.solid)
-        return object.solid->files();
+        return object.solid->searchFiles();
     if (!object.material)
         return {};
     return {object.material->technique().file};
@@ -107,7 +107,7 @@ GLuint bindMaterial(gl::Program& program, const SceneObject& object) {
 
 GLuint bindSearch(gl::Program& program, const SceneObject& object) {
     if (object.solid)
-        return object.solid->bind(program.id());
+        return object.solid->bindSearch(program.id());
     return object.material ? object.material->bindSearch(program.id()) : 0;
 }
 
@@ -245,21 +245,18 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
     prepare(target, view.camera.depth);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
     drawObjects(objects, view, target, [&](const SceneObject& object, int) -> gl::Program& {
-        std::vector<shaders::Define> defines;
-        if (isSearched(object))
-            defines = texturesOf(object).defines(object.shading);
+        std::vector<shaders::Define> defines = texturesOf(object).defines(object.shading);
         if (view.markExhausted)
             defines.push_back({"RELIEVO_MARK_EXHAUSTED", "1"});
         gl::Program& shaded = program(fragmentFilesOf(object).shaded, filesOf(object), object, view,
                                       std::move(defines));
         setLight(shaded, view);
         GLuint unit = 0;
-        if (isSearched(object)) {
+        if (isSearched(object))
             unit = bindMaterial(shaded, object);
-            unit = texturesOf(object).bind(shaded, object.shading, unit);
-        } else {
+        else
             shaded.set("plainColor", object.plainColor);
-        }
+        unit = texturesOf(object).bind(shaded, object.shading, unit);
         bindShadowMap(shaded, view, unit);
         return shaded;
     });
@@ -277,10 +274,15 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
     alone.shadowMap = nullptr;
     alone.skipHidden = false;
     drawObjects({&object, 1}, alone, target, [&](const SceneObject& drawn, int) -> gl::Program& {
+        // What is shaded on a solid does not change where it is.
         gl::Program& measured =
-            program(fragmentFilesOf(drawn).measured, filesOf(drawn), drawn, alone);
+            program(fragmentFilesOf(drawn).measured,
+                    drawn.solid ? searchFilesOf(drawn) : filesOf(drawn), drawn, alone);
         setLight(measured, alone);
-        bindMaterial(measured, drawn);
+        if (drawn.solid)
+            bindSearch(measured, drawn);
+        else
+            bindMaterial(measured, drawn);
         return measured;
     });
     return readMeasuredFrame(target);

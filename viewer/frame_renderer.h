@@ -27,10 +27,10 @@ struct SceneObject {
     const materials::ReliefMaterial* material = nullptr;
     /// The solid that is sunk into the surface, or in the box that the surface is; null: none.
     const materials::SolidMaterial* solid = nullptr;
-    /// The texture set of a relief or a solid; null for plain grey.
+    /// The texture set; null for plain grey.
     materials::SurfaceTextures* textures = nullptr;
-    materials::Shading shading;  ///< of these; a plain mesh is shaded with Blinn–Phong
-    glm::vec3 plainColor{0.6f};  ///< linear; of a plain mesh
+    materials::Shading shading;
+    glm::vec3 plainColor{0.6f};  ///< linear; of a plain mesh, times its albedo
     /// The hits of a material of materials::givenHitsTechnique().
     const gl::Texture* givenHits = nullptr;
     /// The shares of the light for a material with materials::givenShadowMethod().

@@ -33,6 +33,7 @@ MeasuredFrame readMeasuredFrame(const gl::Framebuffer& target) {
     });
     forEach(RELIEVO_OUTPUT_ORIGIN, [](MeasuredPixel& pixel, const float* value) {
         pixel.origin = {value[0], value[1], value[2]};
+        pixel.end = value[3];
     });
     forEach(RELIEVO_OUTPUT_DIRECTION, [](MeasuredPixel& pixel, const float* value) {
         pixel.direction = {value[0], value[1], value[2]};

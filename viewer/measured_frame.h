@@ -18,6 +18,7 @@ struct MeasuredPixel {
     int fetches = 0;
     glm::vec3 origin{0.0f};     ///< (u,v,z) where the ray enters the relief
     glm::vec3 direction{0.0f};  ///< (du,dv,dz) per unit of t
+    float end = 0.0f;           ///< t where the ray ends
     glm::vec3 normal{0, 0, 1};  ///< unit shading normal in the tile's metric
     /// Towards the light's centre (du,dv,dz) as its point sees it, and to two edges of its disc.
     glm::vec3 light{0.0f};

@@ -12,6 +12,7 @@
 #include "outlines/svg_outline.h"
 #include "outlines/text_outline.h"
 #include "textures/input_error.h"
+#include "textures/srgb.h"
 #include "viewer/checked_json.h"
 
 namespace relievo::viewer {
@@ -40,17 +41,18 @@ constexpr std::array<std::pair<Named, solids::BooleanOperation>, 3> kOperations{
      {"difference", solids::BooleanOperation::Difference}}};
 constexpr std::array<std::pair<Named, BoxAxis>, 3> kAxes{
     {{"x", BoxAxis::X}, {"y", BoxAxis::Y}, {"z", BoxAxis::Z}}};
-constexpr std::array<std::pair<Named, SolidTexturing>, 5> kTexturings{
-    {{"planar-z", SolidTexturing::PlanarZ},
-     {"planar-y", SolidTexturing::PlanarY},
-     {"planar-diagonal", SolidTexturing::PlanarDiagonal},
-     {"cylindrical", SolidTexturing::Cylindrical},
-     {"spherical", SolidTexturing::Spherical}}};
+constexpr std::array<std::pair<Named, solids::SolidTexturing>, 6> kTexturings{
+    {{"planar-z", solids::SolidTexturing::PlanarZ},
+     {"planar-y", solids::SolidTexturing::PlanarY},
+     {"planar-diagonal", solids::SolidTexturing::PlanarDiagonal},
+     {"cylindrical", solids::SolidTexturing::Cylindrical},
+     {"spherical", solids::SolidTexturing::Spherical},
+     {"box", solids::SolidTexturing::Box}}};
 
 // What a box says of its looks, or its model, or a part; what comes first counts.
 struct Looks {
     std::optional<glm::vec3> colour;
-    std::optional<SolidTexturing> texturing;
+    std::optional<solids::SolidTexturing> texturing;
     std::filesystem::path picture;
 };
 
@@ -83,11 +85,6 @@ Value choiceOr(const CheckedJson& json, std::string_view key, const Choices& cho
     return found ? found->choice(choices) : fallback;
 }
 
-float linearOf(int byte) {
-    const float coded = static_cast<float>(byte) / 255.0f;
-    return coded <= 0.04045f ? coded / 12.92f : std::pow((coded + 0.055f) / 1.055f, 2.4f);
-}
-
 // "#c8b28a" in sRGB, or three linear numbers.
 glm::vec3 readColour(const CheckedJson& json) {
     if (!json.isString())
@@ -98,7 +95,8 @@ glm::vec3 readColour(const CheckedJson& json) {
         json.fail(
             fmt::format("is \"{}\", expected a colour as \"#c8b28a\" or [0.6, 0.4, 0.2]", text));
     const auto channel = [&](std::size_t k) {
-        return linearOf(std::stoi(text.substr(1 + 2 * k, 2), nullptr, 16));
+        const int byte = std::stoi(text.substr(1 + 2 * k, 2), nullptr, 16);
+        return static_cast<float>(textures::linearFromSrgb(byte / 255.0));
     };
     return {channel(0), channel(1), channel(2)};
 }

@@ -11,6 +11,7 @@
 
 #include "outlines/outline.h"
 #include "solids/solid.h"
+#include "solids/solid_texturing.h"
 #include "textures/wrap_mode.h"
 #include "viewer/box_placement.h"
 #include "viewer/camera.h"
@@ -37,9 +38,6 @@ struct SceneShape {
 
 inline constexpr int kLargestShape = 8192;
 
-/// What pictures of a solid's surface are projected by (specification 7.4).
-enum class SolidTexturing { PlanarZ, PlanarY, PlanarDiagonal, Cylindrical, Spherical };
-
 /// A part of a box's solid.
 struct ScenePart {
     std::string shape;       ///< its name among the scene's shapes
@@ -54,7 +52,7 @@ struct SceneBox {
     std::string name;    ///< of its model, or "" for one that is written out in place
     glm::dvec3 size{1};  ///< edges S in world units
     std::vector<ScenePart> parts;
-    SolidTexturing texturing = SolidTexturing::PlanarZ;
+    solids::SolidTexturing texturing = solids::SolidTexturing::Box;
     std::filesystem::path picture;  ///< "" without one
     /// From the space of the whole (box_placement.h) to the world, of every copy.
     std::vector<glm::dmat4> wholeToWorld;

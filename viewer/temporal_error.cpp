@@ -6,24 +6,15 @@
 #include <cassert>
 #include <cmath>
 
+#include "textures/srgb.h"
+
 namespace relievo::viewer {
-namespace {
-
-// IEC 61966-2-1.
-double linearOf(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double encodedOf(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-}  // namespace
+using textures::linearFromSrgb;
 
 double luminance(const float* pixel) {
-    return 0.2126 * linearOf(static_cast<double>(pixel[0])) +
-           0.7152 * linearOf(static_cast<double>(pixel[1])) +
-           0.0722 * linearOf(static_cast<double>(pixel[2]));
+    return 0.2126 * linearFromSrgb(static_cast<double>(pixel[0])) +
+           0.7152 * linearFromSrgb(static_cast<double>(pixel[1])) +
+           0.0722 * linearFromSrgb(static_cast<double>(pixel[2]));
 }
 
 Picture averaged(const Picture& fine, int samples) {
@@ -36,10 +27,11 @@ Picture averaged(const Picture& fine, int samples) {
             for (int j = 0; j < samples; ++j)
                 for (int i = 0; i < samples; ++i)
                     for (int c = 0; c < 3; ++c)
-                        sums[c] += linearOf(
+                        sums[c] += linearFromSrgb(
                             static_cast<double>(fine.pixel(x * samples + i, y * samples + j)[c]));
             for (int c = 0; c < 3; ++c)
-                result.pixel(x, y)[c] = static_cast<float>(encodedOf(sums[c] * share));
+                result.pixel(x, y)[c] =
+                    static_cast<float>(textures::srgbFromLinear(sums[c] * share));
             result.pixel(x, y)[3] = 1.0f;
         }
     });

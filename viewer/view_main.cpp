@@ -7,8 +7,11 @@
 #include "commands/program.h"
 #include "materials/relief_maps.h"
 #include "materials/shadow_registry.h"
+#include "materials/solid_registry.h"
 #include "materials/technique_registry.h"
 #include "viewer/headless.h"
+#include "viewer/solid_headless.h"
+#include "viewer/solid_window.h"
 #include "viewer/view_options.h"
 #include "viewer/view_window.h"
 
@@ -45,6 +48,11 @@ void listTechniques() {
     }
     for (const materials::ShadowMethod& method : materials::shadowMethods())
         listShadowMethod(method);
+    for (const materials::SolidTechnique& entry : materials::solidTechniques()) {
+        commands::answer(fmt::format("{}: {} ({}), of shapes and scenes", entry.technique.name,
+                                     entry.technique.title, entry.technique.origin));
+        listParameters(entry.technique.parameters);
+    }
     commands::answer(
         fmt::format("{}: the exact first hits, traced on the CPU", viewer::kReferenceName));
 }
@@ -59,9 +67,24 @@ void openWindow(const viewer::ViewOptions& options) {
     viewer::runWindow(options);
 }
 
+void showSolid(viewer::ViewOptions& options) {
+    if (options.techniques.empty())
+        options.techniques = {"solid"};
+    viewer::checkOutputOptions(options);
+    if (options.headless)
+        viewer::runSolidHeadless(options);
+    else
+        viewer::runSolidWindow(options);
+}
+
 void run(viewer::ViewOptions& options, bool hasSize) {
     if (!options.headless && !hasSize)
         options.width = options.height = kWindowPictureSize;
+    if (!options.list && !options.files.empty() &&
+        viewer::isSolidFile(options.files.front().string())) {
+        showSolid(options);
+        return;
+    }
     if (options.techniques.empty())
         options.techniques = {"exact"};
     viewer::checkViewOptions(options);
@@ -84,6 +107,8 @@ int main(int argc, char** argv) {
         "  relievo-view bricks.exr\n"
         "  relievo-view bricks.exr --compare relief,exact,reference --headless -o sheet.png "
         "--error errors.exr\n"
-        "  relievo-view bricks.exr --mesh box --tiles 2,2 --depth-scale 0.05 --camera 20,15,2");
+        "  relievo-view bricks.exr --mesh box --tiles 2,2 --depth-scale 0.05 --camera 20,15,2\n"
+        "  relievo-view star.svg --mesh shape-box --bevel 0.05 --chamfer 0.3 --curve round\n"
+        "  relievo-view scenes/temple.json");
     return commands::runProgram(app, argc, argv, [&] { run(options, app.count("--size") > 0); });
 }

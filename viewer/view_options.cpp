@@ -62,10 +62,29 @@ ParameterSetting parseSetting(const std::string& text) {
     return setting;
 }
 
+void setObject(ViewOptions& options, const std::string& name) {
+    static const std::map<std::string, ObjectKind> kObjects = {{"quad", ObjectKind::Quad},
+                                                               {"box", ObjectKind::Box},
+                                                               {"sphere", ObjectKind::Sphere},
+                                                               {"torus", ObjectKind::Torus},
+                                                               {"shape-box", ObjectKind::ShapeBox}};
+    const auto known = kObjects.find(name);
+    if (known == kObjects.end() && !std::filesystem::exists(name))
+        throw CLI::ValidationError(
+            "--mesh", fmt::format("there is no file {}, expected one or quad, box, sphere, torus "
+                                  "or shape-box",
+                                  name));
+    options.object = known == kObjects.end() ? ObjectKind::File : known->second;
+    options.meshFile = known == kObjects.end() ? std::filesystem::path(name) : "";
+}
+
 void addSceneOptions(CLI::App& app, ViewOptions& options) {
-    app.add_option("--mesh", options.object, "Object that carries the relief: quad or box")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ObjectKind>{
-            {"quad", ObjectKind::Quad}, {"box", ObjectKind::Box}}))
+    app.add_option_function<std::string>(
+           "--mesh", [&options](const std::string& name) { setObject(options, name); },
+           "Object that carries the relief or the solid: quad, box, sphere, torus, or a mesh file "
+           "with texture coordinates (OBJ, PLY, glTF, ...); or shape-box, the box that a whole "
+           "solid is in")
+        ->type_name("FILE|quad|box|sphere|torus|shape-box")
         ->default_str("quad");
     app.add_option("--depth-scale", options.depthScale,
                    "Depth of the relief in tile widths; 0 is flat")
@@ -84,6 +103,7 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
            "--camera",
            [&options](const std::string& text) {
                const auto n = parseNumbers(text, ',', 2, 3, "--camera");
+               options.sceneOptions.insert("camera");
                options.camera.azimuth = n[0];
                options.camera.elevation = n[1];
                if (n.size() > 2)
@@ -96,6 +116,7 @@ void addSceneOptions(CLI::App& app, ViewOptions& options) {
            "--light",
            [&options](const std::string& text) {
                const auto n = parseNumbers(text, ',', 2, 2, "--light");
+               options.sceneOptions.insert("light");
                options.light = {n[0], n[1]};
            },
            "Direction towards the light: azimuth and elevation in degrees")
@@ -313,7 +334,10 @@ void addNormalsOption(CLI::App& app, std::optional<materials::SlopeSource>& norm
 }
 
 void addViewOptions(CLI::App& app, ViewOptions& options) {
-    app.add_option("FILE", options.files, "Map files made by relievo-bake relief");
+    app.add_option(
+        "FILE", options.files,
+        "Map files made by relievo-bake relief; or one shape (made by relievo-bake shape, an "
+        "SVG drawing, FONT:TEXT), or one scene (.json)");
     auto* technique = app.add_option_function<std::string>(
         "--technique", [&options](const std::string& name) { options.techniques = {name}; },
         "Technique to show; see --list. \"reference\" is the exact picture");
@@ -338,13 +362,12 @@ void addViewOptions(CLI::App& app, ViewOptions& options) {
     addShadowOptions(app, options);
     addShadingOptions(app, options);
     addFilterOptions(app, options);
+    addSolidOptions(app, options.solid);
     addOutputOptions(app, options);
     app.add_flag("--list", options.list, "List the techniques with their parameters and exit");
 }
 
-void checkViewOptions(const ViewOptions& options) {
-    if (options.list)
-        return;
+void checkOutputOptions(const ViewOptions& options) {
     if (options.files.empty())
         throw UsageError("no map file given, expected a file made by relievo-bake relief");
     if (options.headless && options.output.empty())
@@ -358,6 +381,14 @@ void checkViewOptions(const ViewOptions& options) {
         throw UsageError("--tiles: expected two numbers above 0");
     if (!(options.camera.distance > 0))
         throw UsageError("--camera: expected a distance above 0");
+}
+
+void checkViewOptions(const ViewOptions& options) {
+    if (options.list)
+        return;
+    checkOutputOptions(options);
+    if (options.object == ObjectKind::ShapeBox)
+        throw UsageError("--mesh shape-box is that of shapes, expected another for a relief");
     checkTechniques(options);
     if (options.shadow != kNoShadow)
         materials::findShadowMethod(options.shadow);

@@ -13,6 +13,7 @@
 #include "materials/slope_sources.h"
 #include "materials/surface_textures.h"
 #include "viewer/camera.h"
+#include "viewer/solid_options.h"
 
 namespace CLI {
 class App;
@@ -26,8 +27,9 @@ inline constexpr const char* kNoShadow = "none";
 /// The most that --rays takes.
 inline constexpr int kMostRays = 64;
 
-/// The object that carries the relief.
-enum class ObjectKind { Quad, Box };
+/// The object that carries the relief or the solid; File: a mesh that is read; ShapeBox: the box
+/// that a whole solid is in.
+enum class ObjectKind { Quad, Box, Sphere, Torus, File, ShapeBox };
 
 /// A value for a technique's parameter: "NAME=VALUE" for all techniques that have it, or
 /// "TECHNIQUE.NAME=VALUE".
@@ -45,6 +47,8 @@ struct ViewOptions {
     std::vector<std::string> techniques;  ///< of the registry, or "reference"
     std::vector<ParameterSetting> parameters;
     ObjectKind object = ObjectKind::Quad;
+    std::filesystem::path meshFile;  ///< of ObjectKind::File; stays when another object is chosen
+    SolidOptions solid;              ///< of a shape
     float depthScale = 0.1f;
     glm::vec2 tiles{1.0f};
     OrbitCamera camera;
@@ -61,6 +65,8 @@ struct ViewOptions {
     /// Those of --roughness, --metalness and --light-size that the command line has: alone they
     /// would do nothing.
     std::set<std::string> dependentOptions;
+    /// Those of --camera and --light that the command line has: they go over a scene's own.
+    std::set<std::string> sceneOptions;
     bool bakedOcclusion = false;            ///< take the occlusion of the map file
     std::optional<int> level;               ///< the MIP level for all pixels; none: each its own
     int rays = materials::kUsualPixelRays;  ///< the most in a pixel
@@ -88,5 +94,8 @@ void addViewOptions(CLI::App& app, ViewOptions& options);
 /// Checks what the parser cannot: options that do not go together, names of techniques and
 /// parameters. Throws commands::UsageError or textures::InputError.
 void checkViewOptions(const ViewOptions& options);
+
+/// The part of it that concerns scenes and shapes as well: sizes, and what goes with --headless.
+void checkOutputOptions(const ViewOptions& options);
 
 }  // namespace relievo::viewer

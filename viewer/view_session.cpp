@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "textures/map_file.h"
+#include "viewer/carrier_mesh.h"
 #include "viewer/texture_files.h"
 
 namespace relievo::viewer {
@@ -27,22 +28,16 @@ std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
         readTextureSet(options.textures, options.bakedOcclusion, levels.front(), file.string());
     auto renderer =
         std::make_unique<SceneRenderer>(std::move(levels), file.string(), std::move(textures));
-    renderer->setSurface(makeObject(options, static_cast<float>(renderer->depthMap().aspect())));
+    renderer->setSurface(makeCarrier(options, static_cast<float>(renderer->depthMap().aspect())));
     return renderer;
-}
-
-surfaces::SurfaceMesh makeObject(const ViewOptions& options, float aspect) {
-    return options.object == ObjectKind::Box ? surfaces::makeBox(options.tiles)
-                                             : surfaces::makeQuad(options.tiles, aspect);
 }
 
 View makeView(const ViewOptions& options, float frameAspect) {
     View view;
     view.camera = perspectiveCamera(options.camera, frameAspect);
     view.toLight = directionTowards(options.light.x, options.light.y);
-    // Both objects are one unit wide and hold tiles.x tiles; the scale counts tile widths.
     view.depthScale = options.depthScale;
-    view.window = glm::vec4(0.0f, 0.0f, options.tiles.x, options.tiles.y);
+    view.window = carrierWindow(options);
     view.slopes = options.normals;
     view.shading = options.shading;
     view.markExhausted = options.markExhausted;

@@ -13,9 +13,6 @@ namespace relievo::viewer {
 std::unique_ptr<SceneRenderer> openRelief(const std::filesystem::path& file,
                                           const ViewOptions& options);
 
-/// The object of `options` for a map of aspect ρ.
-surfaces::SurfaceMesh makeObject(const ViewOptions& options, float aspect);
-
 /// The view of `options` in a frame of the given width/height.
 View makeView(const ViewOptions& options, float frameAspect);
 

@@ -43,11 +43,11 @@
 #define RELIEVO_SOLID_DIFFERENCE 2
 
 // How pictures are put on a solid: texturing.glsl.
-#define RELIEVO_TEXTURING_TOP 0       // along z: (u, v)
-#define RELIEVO_TEXTURING_FRONT 1     // along v: (u, z)
-#define RELIEVO_TEXTURING_DIAGONAL 2  // along u − v: ((u + v)/2, z)
-#define RELIEVO_TEXTURING_CYLINDER 3
-#define RELIEVO_TEXTURING_SPHERE 4
+#define RELIEVO_TEXTURING_PLANAR_Z 0         // along z: (u, v)
+#define RELIEVO_TEXTURING_PLANAR_Y 1         // along v: (u, z)
+#define RELIEVO_TEXTURING_PLANAR_DIAGONAL 2  // along u − v: ((u + v)/2, z)
+#define RELIEVO_TEXTURING_CYLINDRICAL 3
+#define RELIEVO_TEXTURING_SPHERICAL 4
 #define RELIEVO_TEXTURING_BOX 5  // along the axis that the surface faces most
 
 // How a search ended.

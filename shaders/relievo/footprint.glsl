@@ -11,17 +11,20 @@ struct ReliefFootprint {
     float rounding;  // what is added to the level of the pixel before it is rounded down; ½: the nearest
 };
 
-// The singular values of ∂(u, ρ·v)/∂(x, y) on the screen. To be called where neighbouring pixels come by
-// too (outside of branches that they may not take): it compares their uv.
-ReliefFootprint reliefFootprint(vec2 uv, float aspect) {
-    vec2 across = dFdx(uv) * vec2(1.0, aspect);
-    vec2 down = dFdy(uv) * vec2(1.0, aspect);
+// The singular values of ∂(u, ρ·v)/∂(x, y) on the screen, for the derivatives of uv along x and along y.
+ReliefFootprint reliefFootprint(vec2 uvX, vec2 uvY, float aspect) {
+    vec2 across = uvX * vec2(1.0, aspect);
+    vec2 down = uvY * vec2(1.0, aspect);
     float squares = dot(across, across) + dot(down, down);
     float area = abs(across.x * down.y - across.y * down.x);
     float difference = sqrt(max((squares - 2.0 * area) * (squares + 2.0 * area), 0.0));
     float longest = sqrt(0.5 * (squares + difference));
     return ReliefFootprint(longest, longest > 0.0 ? area / longest : 0.0, 0.5);
 }
+
+// The same of the fragment at hand. To be called where neighbouring pixels come by too (outside of branches
+// that they may not take): it compares their uv.
+ReliefFootprint reliefFootprint(vec2 uv, float aspect) { return reliefFootprint(dFdx(uv), dFdy(uv), aspect); }
 
 // The unit direction on the screen, in pixels, in which the footprint is longest; any where it is round.
 vec2 reliefLongestDirection(vec2 uv, float aspect) {

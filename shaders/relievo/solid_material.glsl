@@ -2,6 +2,8 @@
 #include "relievo/solid_trace.glsl"
 #include "relievo/solid/texturing.glsl"
 
+uniform vec2 relievoSolidPictureTiles;  // of pictures and of a relief, in a tile of the texturing
+
 struct SolidSurface {
     vec3 color;     // of the part, linear RGB
     vec2 uv;        // of its picture
@@ -29,9 +31,9 @@ SolidSurface solidSurface(SolidTrace trace, vec3 view, vec3 placeX, vec3 placeY,
     SolidTexturing texturing = solidTexturing(part, trace.hit.place, covector);
     SolidSurface result;
     result.color = solidParts[part].color.rgb;
-    result.uv = texturing.uv;
-    result.gradientU = texturing.gradientU * toPart;
-    result.gradientV = texturing.gradientV * toPart;
+    result.uv = relievoSolidPictureTiles * texturing.uv;
+    result.gradientU = relievoSolidPictureTiles.x * texturing.gradientU * toPart;
+    result.gradientV = relievoSolidPictureTiles.y * texturing.gradientV * toPart;
     vec3 moveX = solidMove(trace, view, placeX, turnX);
     vec3 moveY = solidMove(trace, view, placeY, turnY);
     result.uvX = vec2(dot(result.gradientU, moveX), dot(result.gradientV, moveX));

@@ -13,7 +13,7 @@ uniform vec3 relievoSolidHigh;
 #ifdef RELIEVO_SHAPE_BOX
 uniform mat4 relievoSolidFromWorld;
 #else
-uniform float relievoDepthScale;  // a: depth of z = 1, in tile widths
+uniform float relievoSolidDepth;  // a: depth of z = 1, in tile widths
 uniform bool relievoSolidFloor;   // what is not hit is hit at z = 1
 #endif
 
@@ -40,11 +40,12 @@ SolidFrame solidFrame(vec3 position) {
 }
 #else
 // The tangent frame of a surface, as if it went on like that. A solid without depth is a millionth of a tile
-// deep.
+// deep; so that the shader can square what comes of it, no tile is narrower than a billionth, as it is at the
+// pole of a sphere.
 SolidFrame solidFrame(ReliefSurface surface) {
     vec3 dualU, dualV;
     reliefDualBasis(surface, dualU, dualV);
-    vec3 dualW = -surface.normal / (max(relievoDepthScale, 1e-6) * length(surface.tangent));
+    vec3 dualW = -surface.normal / (max(relievoSolidDepth, 1e-6) * max(length(surface.tangent), 1e-9));
     return SolidFrame(surface.position, vec3(surface.uv, 0.0), transpose(mat3(dualU, dualV, dualW)));
 }
 #endif

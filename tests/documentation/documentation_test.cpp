@@ -64,7 +64,7 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 }
 
 TEST(Documentation, HasTheOptionsOfThePrograms) {
-    expectSameOptions("relievo-bake", {"", "relief", "info", "verify", "sample"});
+    expectSameOptions("relievo-bake", {"", "relief", "shape", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
     expectSameOptions("relievo-bench",
                       {"", "bake", "render", "scene", "search", "shadow", "sheet", "sparkle"});
@@ -126,7 +126,7 @@ TEST(Documentation, LinksLeadSomewhere) {
     for (const std::string document :
          {"README.md", "CONTRIBUTING.md", "docs/architecture.md", "docs/materials.md",
           "docs/measurements.md", "docs/techniques.md", "docs/relievo-bake.md",
-          "docs/relievo-view.md", "docs/relievo-bench.md"}) {
+          "docs/relievo-view.md", "docs/relievo-bench.md", "docs/scenes.md"}) {
         const std::filesystem::path file = kSources + "/" + document;
         const std::string text = tests::readBytes(file);
         for (auto link = std::sregex_iterator(text.begin(), text.end(), kLink);

@@ -110,7 +110,7 @@ class PointGrid {
     std::unordered_map<std::uint64_t, std::vector<glm::dvec2>> squares_;
 };
 
-// Every 1/32 texel, and the vertices.
+// Every 1/8 texel, and the vertices.
 template <class Visit>
 void visitOutline(const std::vector<reference::OutlineContour>& contours, const Visit& visit) {
     for (const reference::OutlineContour& contour : contours) {
@@ -121,7 +121,7 @@ void visitOutline(const std::vector<reference::OutlineContour>& contours, const 
             const double length = glm::length(along);
             if (length > 1.0)
                 visit(start);
-            for (; left < length; left += 1.0 / 32.0)
+            for (; left < length; left += 1.0 / 8.0)
                 visit(start + left / length * along);
             left -= length;
         }

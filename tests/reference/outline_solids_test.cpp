@@ -107,6 +107,9 @@ TEST(HitExtrusion, CapsFromBelowAndVerticalRays) {
     const auto onTop = hitExtrusion(disc, {{0.5, 0.5, 0.0}, {1.0, 0.0, 1.0}, 0.0, 10.0});
     ASSERT_TRUE(onTop && !onTop->startsInside);
     EXPECT_EQ(onTop->normal, glm::dvec3(0.0, 0.0, -1.0));
+    const auto alongTop = hitExtrusion(disc, {{0.5, 0.5, 0.0}, {1.0, 0.0, 0.0}, 0.0, 10.0});
+    ASSERT_TRUE(alongTop && !alongTop->startsInside);
+    EXPECT_EQ(alongTop->normal, glm::dvec3(0.0, 0.0, -1.0));
     // Level, over the solid, and along its top.
     EXPECT_FALSE(hitExtrusion(disc, {{0.0, 0.5, -1e-12}, {1.0, 0.0, 0.0}, 0.0, 10.0}));
     const auto level = hitExtrusion(disc, {{0.0, 0.5, 0.0}, {1.0, 0.0, 0.0}, 0.0, 10.0});

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
@@ -147,6 +148,35 @@ TEST(Compound, FacesThatCoincideLeaveNothingBetweenThem) {
     std::mt19937_64 random(20282);
     for (int k = 0; k < 1000; ++k)
         EXPECT_FALSE(nothing.firstHit(randomRay(glm::dvec3(0.0), glm::dvec3(1.0), random)));
+}
+
+TEST(Compound, FacesThatCoincideUpToARoundingLeaveNothingEither) {
+    // A wall of a third, and a hole of its own scale through it, flush with both of its faces.
+    SolidPart wall = fullBox(BooleanOperation::Union, glm::dvec3(0.0), glm::dvec3(1.0));
+    wall.fromWhole =
+        glm::affineInverse(glm::translate(glm::dmat4(1.0), glm::dvec3(0.1)) *
+                           glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, 3.0, 1.0 / 3.0)));
+    SolidPart hole = fullBox(BooleanOperation::Difference, glm::dvec3(0.0),
+                             glm::dvec3(1.0, 1.0, 1.0 / 3.0 / 0.7));
+    hole.fromWhole = glm::scale(glm::dmat4(1.0), glm::dvec3(0.7, 0.7, 1.0 / 0.7)) *
+                     glm::translate(glm::dmat4(1.0), glm::dvec3(-0.3, -0.3, -0.1));
+    const SolidTracer tracer({{wall, hole}});
+    const SolidTracer walls({{wall}});
+    std::mt19937_64 random(20284);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    int apart = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const glm::dvec3 through(0.4 + 0.8 * unit(random), 0.4 + 0.8 * unit(random), 0.25);
+        const glm::dvec3 direction(0.2 * unit(random), 0.2 * unit(random), k % 2 == 0 ? 1.0 : -1.0);
+        const SolidRay ray{through - 3.0 * unit(random) * direction - 0.5 * direction, direction};
+        EXPECT_FALSE(tracer.firstHit(ray));
+        const auto a = tracer.crossings(0, ray);
+        const auto b = tracer.crossings(1, ray);
+        ASSERT_EQ(a.size(), 2u);
+        ASSERT_EQ(b.size(), 2u);
+        apart += a[0].t != b[0].t ? 1 : 0;
+    }
+    EXPECT_GT(apart, 100);
 }
 
 TEST(Compound, OutwardIsTheGradientInTheWhole) {

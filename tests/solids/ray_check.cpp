@@ -44,7 +44,7 @@ class Comparison {
 
     // Looks for the minimum of sign·(d − o) between a and b and checks it.
     [[nodiscard]] std::optional<std::string> checkMinimum(double a, double b, double sign) const {
-        for (int k = 0; k < 60; ++k) {
+        for (int k = 0; k < 40; ++k) {
             const double third = (b - a) / 3.0;
             const double left = sign * plainClearance(part_.solid, place(a + third));
             const double right = sign * plainClearance(part_.solid, place(b - third));
@@ -109,13 +109,13 @@ std::optional<std::string> disagreement(const SolidPart& part,
     for (const double t : places)
         if (auto wrong = comparison.check(t))
             return wrong;
+    std::vector<double> clearances;
+    for (int k = 0; k <= samples; ++k)
+        clearances.push_back(plainClearance(part.solid, comparison.place(end * k / samples)));
     for (int k = 1; k < samples; ++k) {
-        const auto clearance = [&](int j) {
-            return plainClearance(part.solid, comparison.place(end * j / samples));
-        };
-        const double here = clearance(k);
-        const double sign = here > 0.0 ? 1.0 : -1.0;
-        if (sign * clearance(k - 1) >= sign * here && sign * clearance(k + 1) >= sign * here)
+        const auto* here = &clearances[static_cast<std::size_t>(k)];
+        const double sign = *here > 0.0 ? 1.0 : -1.0;
+        if (sign * here[-1] >= sign * here[0] && sign * here[1] >= sign * here[0])
             if (auto wrong =
                     comparison.checkMinimum(end * (k - 1) / samples, end * (k + 1) / samples, sign))
                 return wrong;

@@ -16,6 +16,30 @@ using textures::WrapMode;
 
 constexpr std::array kWraps{WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp};
 
+// Whether two walks along a ray find the same crossings; where it only grazes, rounding may keep or
+// drop a pair of them.
+bool areSame(const std::vector<SolidCrossing>& a, const std::vector<SolidCrossing>& b,
+             double speed) {
+    const double tie = 1e-9 / speed;
+    std::size_t i = 0;
+    std::size_t j = 0;
+    const auto skipsPair = [&](const std::vector<SolidCrossing>& list, std::size_t k) {
+        return k + 1 < list.size() && list[k + 1].t - list[k].t < 1e-6 / speed;
+    };
+    while (i < a.size() || j < b.size()) {
+        if (i < a.size() && j < b.size() &&
+            std::abs(a[i].t - b[j].t) <= tie * (1.0 + a[i].t * speed))
+            ++i, ++j;
+        else if (skipsPair(a, i))
+            i += 2;
+        else if (skipsPair(b, j))
+            j += 2;
+        else
+            return false;
+    }
+    return true;
+}
+
 // What goes wrong in `rays` random rays through a part and its window, without and with jumps;
 // prints the first.
 int countWrong(const SolidPart& part, int rays, int samples, bool isDistance,
@@ -33,8 +57,8 @@ int countWrong(const SolidPart& part, int rays, int samples, bool isDistance,
         const auto walked = walker.crossings(0, ray);
         const auto jumped = jumper.crossings(0, ray);
         auto found = disagreement(part, walked, ray, end, samples);
-        if (!found)
-            found = disagreement(part, jumped, ray, end, samples);
+        if (!found && !areSame(walked, jumped, glm::length(ray.direction)))
+            found = "jumps change the crossings";
         if (found && wrong++ == 0)
             ADD_FAILURE() << *found << "\norigin " << ray.origin.x << ' ' << ray.origin.y << ' '
                           << ray.origin.z << " direction " << ray.direction.x << ' '

@@ -302,7 +302,7 @@ TEST(Solids, ComparisonCatchesStepsByTheDistanceAlone) {
     int passed = 0;
     int hits = 0;
     std::uniform_real_distribution<double> unit(0.0, 1.0);
-    for (int k = 0; k < 1000; ++k) {
+    for (int k = 0; k < 2000; ++k) {
         const double angle = 6.283185307179586 * unit(random);
         const SolidRay ray{{unit(random), unit(random), 1e-12},
                            {std::cos(angle), std::sin(angle), unit(random)}};

@@ -72,6 +72,26 @@ TEST_F(ViewCommandTest, HelpNamesEveryOption) {
         EXPECT_THAT(result.output, HasSubstr(option));
 }
 
+TEST_F(ViewCommandTest, CurvedObjectsAndMeshFilesCarryReliefs) {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const std::string mesh = inputs_.file("triangle.obj");
+    std::ofstream(mesh) << triangle << "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+    for (const std::string& object : {std::string("sphere"), std::string("torus"), mesh}) {
+        const std::string picture = outputs_.file("picture.png");
+        const ProcessResult result =
+            render(map(), picture, {"--mesh", object, "--tiles", "8,4", "--camera", "0,20"});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        const ProcessResult compared =
+            render(map(), picture, {"--mesh", object, "--error", outputs_.file("error.exr")});
+        EXPECT_THAT(compared.output, HasSubstr("against the exact hits: 0.0")) << compared.errors;
+    }
+    std::filesystem::remove(outputs_.file("picture.png"));
+    std::filesystem::remove(outputs_.file("error.exr"));
+    std::ofstream(mesh) << triangle << "f 1 2 3\n";
+    expectFailure(render(map(), outputs_.file("a.png"), {"--mesh", mesh}), 1,
+                  "has no texture coordinates");
+}
+
 // A file with nothing but depths can be shown, shaded by their differences.
 TEST_F(ViewCommandTest, NormalsComeFromWhatTheFileHas) {
     const std::string depths = inputs_.file("depths.exr");

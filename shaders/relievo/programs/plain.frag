@@ -1,4 +1,4 @@
-// A mesh without a relief, shaded with Blinn–Phong.
+// A mesh without a relief.
 #include "relievo/shading.glsl"
 #include "relievo/programs/srgb.glsl"
 #include "relievo/programs/surface_input.glsl"
@@ -16,7 +16,14 @@ void main() {
 #ifdef RELIEVO_SHADOW_MAP
     light *= shadowMapVisibility(surfacePosition);
 #endif
-    vec3 shaded = shadeRelief(ReliefAppearance(plainColor, 0.5, 0.0, 1.0), normalize(surfaceNormal),
-                              toLight, -surfaceView(), light);
+    ReliefAppearance appearance =
+        reliefAppearance(surfaceUv, dFdx(surfaceUv), dFdy(surfaceUv), 1.0);
+#ifdef RELIEVO_ALBEDO_MAP
+    appearance.albedo *= plainColor;
+#else
+    appearance.albedo = plainColor;
+#endif
+    vec3 shaded =
+        shadeRelief(appearance, normalize(surfaceNormal), toLight, -surfaceView(), light);
     color = vec4(toSrgb(clamp(shaded, 0.0, 1.0)), 1.0);
 }

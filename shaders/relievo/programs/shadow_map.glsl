@@ -11,8 +11,19 @@ uniform mat4 shadowViewProjection;
 float shadowMapVisibility(vec3 position) {
     const float rounding = 16.0 / 16777216.0;
     vec3 place = 0.5 * (shadowViewProjection * vec4(position, 1.0)).xyz + 0.5;
-    if (any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)))) return 1.0;
+    // The outermost texels have no neighbours, and what ends there may cover half of one.
+    vec2 margin = 1.0 / vec2(textureSize(shadowMap, 0));
+    if (any(lessThan(place.xy, margin)) || any(greaterThan(place.xy, 1.0 - margin))) return 1.0;
     vec4 depths = textureGather(shadowMap, place.xy);
     float deepest = max(max(depths.x, depths.y), max(depths.z, depths.w));
     return place.z <= deepest + rounding ? 1.0 : 0.0;
+}
+
+// The same for a surface that curves, or that shadows itself by other means: from a place that lies off it by
+// the width of a texel of the map and a half, so that the surface itself is not in its way.
+float shadowMapVisibility(vec3 position, vec3 normal) {
+    float texels = float(textureSize(shadowMap, 0).x);
+    float texel = 2.0 / (texels * length(vec3(shadowViewProjection[0].x, shadowViewProjection[1].x,
+                                              shadowViewProjection[2].x)));
+    return shadowMapVisibility(position + 1.5 * texel * normal);
 }

@@ -3,6 +3,9 @@
 #include "relievo/programs/srgb.glsl"
 #include "relievo/shading.glsl"
 #include "relievo/solid_material.glsl"
+#ifdef RELIEVO_SOLID_RELIEF
+#include "relievo/solid_relief.glsl"
+#endif
 #ifdef RELIEVO_SHADOW_MAP
 #include "relievo/programs/shadow_map.glsl"
 #endif
@@ -11,7 +14,8 @@ uniform vec3 toLight;
 
 layout(location = 0) out vec4 color;
 
-vec3 shade(SolidTrace trace, SolidSurface surface, vec3 view) {
+// `normal` is that of the solid, or of the relief on it.
+vec3 shade(SolidTrace trace, SolidSurface surface, vec3 normal, vec3 view) {
     ReliefAppearance appearance = reliefAppearance(surface.uv, surface.uvX, surface.uvY, 1.0);
 #ifdef RELIEVO_ALBEDO_MAP
     appearance.albedo *= surface.color;
@@ -23,9 +27,9 @@ vec3 shade(SolidTrace trace, SolidSurface surface, vec3 view) {
     if (!solidIsLit(trace, toLight)) light = vec3(0.0);
 #endif
 #ifdef RELIEVO_SHADOW_MAP
-    light *= shadowMapVisibility(trace.position);
+    light *= shadowMapVisibility(trace.position, trace.normal);
 #endif
-    return clamp(shadeRelief(appearance, trace.normal, toLight, -view, light), 0.0, 1.0);
+    return clamp(shadeRelief(appearance, normal, toLight, -view, light), 0.0, 1.0);
 }
 
 void main() {
@@ -47,6 +51,15 @@ void main() {
     float back = dot(trace.start - surfacePosition, view);
     SolidSurface surface =
         solidSurface(trace, view, placeX + back * turnX, placeY + back * turnY, turnX, turnY);
-    color = vec4(toSrgb(shade(trace, surface, view)), 1.0);
+#ifdef RELIEVO_SOLID_RELIEF
+    SolidRelief relief = solidRelief(trace, surface, view);
+    vec3 normal = relief.normal;
+    trace.position = relief.position;
+    surface.uv = relief.uv;
+    reliefSelectLevel(0);
+#else
+    vec3 normal = trace.normal;
+#endif
+    color = vec4(toSrgb(shade(trace, surface, normal, view)), 1.0);
     gl_FragDepth = solidWindowDepth(trace, viewProjection);
 }

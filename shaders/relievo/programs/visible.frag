@@ -1,11 +1,15 @@
 // What each pixel of a frame shows, instead of its colour, and the lookups of all searches of the frame
 // together: those of fragments that are hidden later, too, which no sum over the pixels would have.
 #include "relievo/programs/surface_input.glsl"
+#ifndef RELIEVO_PLAIN
+// Of reliefs and of solids: a file is included where it comes first, which must be in neither branch alone.
+#include "relievo/window_depth.glsl"
+#include "relievo/programs/depth_output.glsl"
+#endif
 #if defined(RELIEVO_SOLID)
 #include "relievo/programs/solid_input.glsl"
 #elif !defined(RELIEVO_PLAIN)
 #include "relievo/trace.glsl"
-#include "relievo/programs/depth_output.glsl"
 #endif
 #ifdef RELIEVO_SHADOW_MAP
 #include "relievo/programs/shadow_map.glsl"

@@ -37,6 +37,9 @@ SolidHit solidMiss(SolidRay ray, float t, int outcome) {
                     vec3(0.0), vec2(0.0), false);
 }
 
+// Whether the ray passes a surface there; of a ray without numbers nothing is on it.
+bool solidIsOnRay(SolidRay ray, float t) { return t < kReliefBoundless && t <= ray.end; }
+
 SolidHit solidHitOf(SolidRay ray, int part, SolidPath path, SolidCursor cursor) {
     return SolidHit(ray.origin + cursor.t * ray.direction, cursor.t, RELIEVO_OUTCOME_HIT, solidSteps,
                     reliefFetchCount, part, solidPoint(path, cursor.t), cursor.side, cursor.normal, false);
@@ -60,9 +63,10 @@ SolidCursor solidCursorAt(int part, SolidPath path) {
     return cursor;
 }
 
-// On to the first place where the ray passes the part's surface.
+// On to the first place where the ray passes the part's surface. One that meets the window in a point does
+// not go in.
 void solidFirstCrossing(int part, SolidPath path, inout SolidCursor cursor) {
-    if (path.enter <= path.leave) {
+    if (path.enter < path.leave) {
         solidCross(part, path, cursor);
     } else {
         cursor.t = kReliefBoundless;
@@ -75,7 +79,7 @@ SolidHit solidSearch(SolidRay ray) {
     SolidCursor cursor = solidCursorAt(0, path);
     solidFirstCrossing(0, path, cursor);
     if (solidIsExhausted) return solidMiss(ray, cursor.t, RELIEVO_OUTCOME_EXHAUSTED);
-    if (cursor.t > ray.end) return solidMiss(ray, ray.end, RELIEVO_OUTCOME_MISS);
+    if (!solidIsOnRay(ray, cursor.t)) return solidMiss(ray, ray.end, RELIEVO_OUTCOME_MISS);
     return solidHitOf(ray, 0, path, cursor);
 }
 #else
@@ -96,7 +100,7 @@ SolidHit solidSearch(SolidRay ray) {
     while (!solidIsExhausted) {
         t = kReliefBoundless;
         for (int part = 0; part < RELIEVO_SOLID_PARTS; ++part) t = min(t, cursors[part].t);
-        if (t > ray.end) return solidMiss(ray, ray.end, RELIEVO_OUTCOME_MISS);
+        if (!solidIsOnRay(ray, t)) return solidMiss(ray, ray.end, RELIEVO_OUTCOME_MISS);
         int passed[RELIEVO_SOLID_PARTS];
         for (int part = 0; part < RELIEVO_SOLID_PARTS; ++part) {
             passed[part] = cursors[part].t <= t + together ? 1 : 0;

@@ -30,7 +30,7 @@ void solidNarrow(inout SolidPath path, int axis, float low, float high) {
     }
     float near = ((direction > 0.0 ? low : high) - origin) / direction;
     float far = ((direction > 0.0 ? high : low) - origin) / direction;
-    if (near > path.enter) {
+    if (near >= path.enter) {
         path.enter = near;
         path.enterNormal = side;
     }
@@ -40,7 +40,8 @@ void solidNarrow(inout SolidPath path, int axis, float low, float high) {
     }
 }
 
-// The ray as a part sees it. One that begins inside of the window comes in by no side of it.
+// The ray as a part sees it. One that begins inside of the window comes in by no side of it, one that begins
+// on its border by that.
 SolidPath solidPath(SolidRay ray, int part) {
     SolidPart info = solidParts[part];
     SolidPath path;

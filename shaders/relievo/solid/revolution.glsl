@@ -11,6 +11,7 @@
 // Texels: what floats make of distances from the axis of a thousand texels. Nearer is on the surface.
 const float kSolidTouch = 6e-5;
 const int kSolidParabolas = 48;
+const float kSolidLastDigit = 1.2e-7;  // of 1, as floats have it
 
 // The corners of the section's cell, in the order of textureGather. Beyond the border the last texels go on:
 // the sampler clamps.
@@ -83,7 +84,9 @@ bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool 
         } else {
             if (value > 2.0 * kSolidTouch) touch = kSolidTouch;
             way = solidFreeOfField(value, slopes);
-            if (value <= touch || from + way == from) {
+            // Where t has no more digits the rest of the way is its last one. That the sum of both is one of
+            // them is not asked: compilers take that for a question of `way` being 0.
+            if (value <= touch || way <= kSolidLastDigit * from) {
                 root = from;
                 return true;
             }

@@ -33,21 +33,22 @@ SolidTexturing solidTexturing(int part, vec3 place, vec3 covector) {
         }
         return wall;
     }
-    if (kind == RELIEVO_TEXTURING_TOP || kind == RELIEVO_TEXTURING_BOX)
+    if (kind == RELIEVO_TEXTURING_PLANAR_Z || kind == RELIEVO_TEXTURING_BOX)
         return SolidTexturing(inTile.xy, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
     SolidTexturing result =
         SolidTexturing(vec2(inTile.x, inTile.z), vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0));
     vec2 across = inTile.xy - solidParts[part].section.xy;
-    if (kind == RELIEVO_TEXTURING_DIAGONAL) {
+    if (kind == RELIEVO_TEXTURING_PLANAR_DIAGONAL) {
         result.uv.x = 0.5 * (inTile.x + inTile.y);
         result.gradientU = vec3(0.5, 0.5, 0.0);
     }
-    if (kind >= RELIEVO_TEXTURING_CYLINDER) solidAround(across, result);
-    if (kind == RELIEVO_TEXTURING_SPHERE) {
+    if (kind >= RELIEVO_TEXTURING_CYLINDRICAL) solidAround(across, result);
+    if (kind == RELIEVO_TEXTURING_SPHERICAL) {
         vec3 out3 = vec3(across, inTile.z - 0.5);
         float radius = max(length(out3), 1e-6);
         float wide = max(length(across), 1e-6);
-        result.uv.y = 1.0 - acos(clamp(out3.z / radius, -1.0, 1.0)) / (0.5 * kSolidTurn);
+        // The arc cosine of z/radius, which is exact near the poles as well.
+        result.uv.y = 1.0 - atan(wide, out3.z) / (0.5 * kSolidTurn);
         result.gradientV =
             vec3(-out3.z * across / wide, wide) / (radius * radius * 0.5 * kSolidTurn);
     }

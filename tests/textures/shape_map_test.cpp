@@ -1,0 +1,76 @@
+// Shape maps as map sets and files, and what is refused.
+#include "textures/shape_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "random_planes.h"
+#include "temporary_folder.h"
+#include "textures/input_error.h"
+#include "textures/map_file.h"
+
+namespace relievo::textures {
+namespace {
+
+ShapeMap randomShape(bool isSigned) {
+    return {randomPlane(23, 17, isSigned ? -0.2f : 0.0f, 0.4f, 1),
+            randomPlane(23, 17, -1.0f, 1.0f, 2),
+            randomPlane(23, 17, -1.0f, 1.0f, 3),
+            randomPlane(23, 17, 0.0f, 1.0f, 4),
+            WrapMode::Mirror,
+            isSigned,
+            0.0123};
+}
+
+class ShapeMapFile : public TemporaryFolder {};
+
+TEST_F(ShapeMapFile, ComesBackInEveryFormat) {
+    for (const bool isSigned : {true, false})
+        for (const auto& [name, format] : {std::pair{"a.exr", StorageFormat::Float},
+                                           {"b.exr", StorageFormat::Half},
+                                           {"c.png", StorageFormat::U16},
+                                           {"d.tif", StorageFormat::U16},
+                                           {"e.png", StorageFormat::U8},
+                                           {"f.tif", StorageFormat::U8}}) {
+            const ShapeMap shape = randomShape(isSigned);
+            writeMapFile(file(name), mapSetOf(shape), format);
+            const ShapeMap again = shapeMapOf(readMapFile(file(name)));
+            EXPECT_EQ(again.distance.texels,
+                      storedValues(shape.distance, "distance", format).texels)
+                << name;
+            EXPECT_EQ(again.gradientX.texels, storedValues(shape.gradientX, "gx", format).texels);
+            EXPECT_EQ(again.gradientY.texels, storedValues(shape.gradientY, "gy", format).texels);
+            EXPECT_EQ(again.shape.texels, storedValues(shape.shape, "shape", format).texels);
+            EXPECT_EQ(again.wrap, WrapMode::Mirror);
+            EXPECT_EQ(again.isSigned, isSigned);
+            EXPECT_EQ(again.slack, shape.slack);
+        }
+}
+
+TEST(ShapeMap, RefusesWhatMakesNoShape) {
+    const MapSet good = mapSetOf(randomShape(true));
+    EXPECT_NO_THROW(shapeMapOf(good));
+    for (std::size_t c = 0; c < good.channels.size(); ++c) {
+        MapSet maps = good;
+        maps.channels.erase(maps.channels.begin() + static_cast<std::ptrdiff_t>(c));
+        EXPECT_THROW(shapeMapOf(maps), InputError) << good.channels[c].name;
+    }
+    for (const auto& [name, text] : {std::pair{"relievo:signed", "yes"},
+                                     {"relievo:slack", "-1"},
+                                     {"relievo:slack", "nan"},
+                                     {"relievo:slack", "0.1 m"}}) {
+        MapSet maps = good;
+        maps.attributes[name] = text;
+        EXPECT_THROW(shapeMapOf(maps), InputError) << name << " " << text;
+    }
+    MapSet relief = good;
+    relief.kind = "relief";
+    EXPECT_THROW(shapeMapOf(relief), InputError);
+    MapSet endless = good;
+    endless.channels[2].plane.texels[3] = HUGE_VALF;
+    EXPECT_THROW(shapeMapOf(endless), InputError);
+}
+
+}  // namespace
+}  // namespace relievo::textures

@@ -1,0 +1,7 @@
+#include "viewer/solid_window.h"
+
+namespace relievo::viewer {
+
+void runSolidWindow(const ViewOptions&) {}
+
+}  // namespace relievo::viewer
