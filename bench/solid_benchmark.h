@@ -28,7 +28,7 @@ struct SolidBenchmarkOptions {
     std::vector<std::string> shapes;               ///< of solidShapeNames
     std::vector<std::string> techniques;           ///< of solidBenchmarkTechniques
     std::vector<double> elevations{45, 15, 5, 1};  ///< degrees above the plane
-    std::vector<int> steps{8, 16, 32, 64, 128, 256};
+    std::vector<int> steps{2, 4, 8, 16, 32, 64, 128, 256};
     std::vector<int> sizes{256};  ///< the shape maps are size×size texels
     int frame = 201;              ///< pixels of the frames on a side
     int repeat = 3;               ///< runs of which the fastest counts

@@ -26,7 +26,7 @@ constexpr TechniqueParameter kTolerance{
     "texels in front of the surface at which a search counts as having come to it",
     0,
     1,
-    0.01,
+    0.1,
     false,
     false};
 constexpr TechniqueParameter kHalvings{"binary-steps",

@@ -353,6 +353,50 @@ TEST(BenchSearch, WritesJsonAndPlot) {
     EXPECT_THAT(readBytes(folder.file("search.svg")), HasSubstr("pyramid"));
 }
 
+TEST(BenchSolid, WritesAllReports) {
+    const ScratchFolder folder;
+    const ProcessResult result = bench({"solid",
+                                        "--solids",
+                                        "basic,bevel",
+                                        "--shapes",
+                                        "star",
+                                        "--techniques",
+                                        "solid,bevel-printed,cone",
+                                        "--elevations",
+                                        "45,5",
+                                        "--steps",
+                                        "8",
+                                        "--sizes",
+                                        "32",
+                                        "--frame",
+                                        "29",
+                                        "--repeat",
+                                        "1",
+                                        "--json",
+                                        folder.file("solid.json"),
+                                        "--plot",
+                                        folder.file("solid.svg"),
+                                        "--markdown",
+                                        folder.file("solid.md")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    const auto report = nlohmann::json::parse(readBytes(folder.file("solid.json")));
+    EXPECT_EQ(report.at("benchmark"), "solid");
+    const auto& rows = report.at("rows");
+    ASSERT_EQ(rows.size(), 2u * 2 * 3 * 2);
+    EXPECT_EQ(parseTable(result.output).size(), 1 + rows.size());
+    for (const auto& row : rows) {
+        EXPECT_GT(row.at("milliseconds"), 0.0);
+        EXPECT_EQ(row.at("shownAs"), row.at("technique") == "cone" ? "relief" : "solid");
+        if (row.at("technique") == "solid" && row.at("stepBudget") != 8) {
+            EXPECT_EQ(row.at("wrongPercent"), 0.0);
+        }
+    }
+    EXPECT_THAT(readBytes(folder.file("solid.svg")), HasSubstr("bevel-printed"));
+    EXPECT_THAT(readBytes(folder.file("solid.md")),
+                AllOf(HasSubstr("## Our lookups at equal error"), HasSubstr("| bevel: cone |"),
+                      HasSubstr("| bevel: bevel-printed |")));
+}
+
 TEST(Bench, HelpListsWhatThereIs) {
     const ProcessResult bake = bench({"bake", "--help"});
     EXPECT_EQ(bake.exitStatus, 0);
@@ -365,6 +409,10 @@ TEST(Bench, HelpListsWhatThereIs) {
     EXPECT_THAT(render.output, HasSubstr("Examples"));
     const ProcessResult shadow = bench({"shadow", "--help"});
     EXPECT_EQ(shadow.exitStatus, 0);
+    const ProcessResult solid = bench({"solid", "--help"});
+    EXPECT_EQ(solid.exitStatus, 0);
+    EXPECT_THAT(solid.output, HasSubstr("chamfer-printed"));
+    EXPECT_THAT(solid.output, HasSubstr("Examples"));
     EXPECT_THAT(shadow.output, HasSubstr("none, search, soft, horizon, ellipse"));
     EXPECT_THAT(shadow.output, HasSubstr("Examples"));
 }
@@ -397,6 +445,11 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"shadow", "--technique", "parallax"},
         {"shadow", "--light-sizes", "-1"},
         {"shadow", "--elevations", "0"},
+        {"solid", "--solids", "magic"},
+        {"solid", "--shapes", "noise"},
+        {"solid", "--techniques", "parallax"},
+        {"solid", "--sizes", "1"},
+        {"solid", "--steps", "0"},
         {"sheet"},
         {"sheet", "--of", "magic", "-o", folder.file("sheet.png")},
         {"sheet", "--of", "shading", "--columns", "2", "-o", folder.file("sheet.png")},

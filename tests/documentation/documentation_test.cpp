@@ -10,6 +10,7 @@
 #include "materials/relief_maps.h"
 #include "materials/shadow_registry.h"
 #include "materials/slope_sources.h"
+#include "materials/solid_registry.h"
 #include "materials/surface_textures.h"
 #include "materials/technique_registry.h"
 #include "tests/commands/process.h"
@@ -66,8 +67,8 @@ void expectSameOptions(const std::string& program, const std::vector<std::string
 TEST(Documentation, HasTheOptionsOfThePrograms) {
     expectSameOptions("relievo-bake", {"", "relief", "shape", "info", "verify", "sample"});
     expectSameOptions("relievo-view", {""});
-    expectSameOptions("relievo-bench",
-                      {"", "bake", "render", "scene", "search", "shadow", "sheet", "sparkle"});
+    expectSameOptions("relievo-bench", {"", "bake", "render", "scene", "search", "shadow", "sheet",
+                                        "solid", "sparkle"});
 }
 
 TEST(Documentation, TheCheckSeesAnOptionThatIsMissing) {
@@ -117,6 +118,20 @@ TEST(Documentation, HasEveryTechnique) {
         const std::string row =
             "| `" + std::string(technique.name) + "` | " + std::string(technique.origin) + " |";
         EXPECT_NE(document.find(row), std::string::npos) << row;
+    }
+}
+
+TEST(Documentation, HasEverySearchOfSolids) {
+    const std::string uniforms = tests::readBytes(kSources + "/docs/materials.md");
+    const std::string searches = tests::readBytes(kSources + "/docs/techniques.md");
+    for (const materials::SolidTechnique& search : materials::solidTechniques()) {
+        const materials::Technique& technique = search.technique;
+        const std::string row =
+            "| `" + std::string(technique.name) + "` | " + std::string(technique.origin) + " |";
+        EXPECT_NE(searches.find(row), std::string::npos) << row;
+        for (const materials::TechniqueParameter& parameter : technique.parameters)
+            EXPECT_NE(uniforms.find("| `" + std::string(parameter.uniform)), std::string::npos)
+                << parameter.uniform;
     }
 }
 
