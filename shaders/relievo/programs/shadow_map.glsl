@@ -7,11 +7,12 @@ uniform mat4 shadowViewProjection;
 //
 // The texels have the depths of their centres. A plane is nowhere between four of them deeper than at the
 // deepest of them, and so the point is in shadow only if it lies behind all four: no bias is needed for
-// slopes. What is left is rounding: window depths of two programs, each a sum of four products of at most 1.
+// slopes. Half a texel from the border two of them would come from the other side. What is left is rounding: window depths of two programs, each a sum of four products of at most 1.
 float shadowMapVisibility(vec3 position) {
     const float rounding = 16.0 / 16777216.0;
     vec3 place = 0.5 * (shadowViewProjection * vec4(position, 1.0)).xyz + 0.5;
-    if (any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)))) return 1.0;
+    vec2 border = 0.5 / vec2(textureSize(shadowMap, 0));
+    if (any(lessThan(place.xy, border)) || any(greaterThan(place.xy, 1.0 - border))) return 1.0;
     vec4 depths = textureGather(shadowMap, place.xy);
     float deepest = max(max(depths.x, depths.y), max(depths.z, depths.w));
     return place.z <= deepest + rounding ? 1.0 : 0.0;
