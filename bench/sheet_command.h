@@ -23,11 +23,13 @@ class SheetCommand {
   private:
     /// Throws commands::UsageError for an option that does nothing for this sheet.
     void checkOptions() const;
+    [[nodiscard]] viewer::Picture makeSheet() const;
 
     CLI::App* command_;
     std::string subject_ = "techniques";
     SheetOptions options_;
     std::vector<std::string> techniques_;
+    std::string figures_ = "all";
     std::filesystem::path output_;
 };
 

@@ -338,6 +338,24 @@ TEST(BenchSheet, ShowsShadowsAndShadingToo) {
     EXPECT_GE(textures::readPicture(folder.file("sheet.png")).at(0).height, 3 * 64);
 }
 
+TEST(BenchSheet, ShowsFiguresOfSolids) {
+    const ScratchFolder folder;
+    const auto sizeOf = [&](const char* figures) {
+        const ProcessResult result =
+            bench({"sheet", "--of", "solids", "--figures", figures, "--size", "32", "--width", "24",
+                   "--height", "16", "-o", folder.file("sheet.png")});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+        const auto planes = textures::readPicture(folder.file("sheet.png"));
+        return std::pair(planes.at(0).width, planes.at(0).height);
+    };
+    const auto [width, height] = sizeOf("maps");
+    EXPECT_GE(width, 5 * 24);
+    EXPECT_GE(height, 2 * 16);
+    const auto [allWidth, allHeight] = sizeOf("all");
+    EXPECT_EQ(allWidth, width);
+    EXPECT_GE(allHeight, 12 * 16);
+}
+
 TEST(BenchSearch, WritesJsonAndPlot) {
     const ScratchFolder folder;
     const ProcessResult result = bench(
@@ -456,6 +474,9 @@ TEST(Bench, WrongUsageIsStatusTwoAndNoWork) {
         {"sheet", "--of", "shadows", "--techniques", "relief", "-o", folder.file("sheet.png")},
         {"sheet", "--sample", "mountains", "-o", folder.file("sheet.png")},
         {"sheet", "--elevation", "0", "-o", folder.file("sheet.png")},
+        {"sheet", "--figures", "maps", "-o", folder.file("sheet.png")},
+        {"sheet", "--of", "solids", "--columns", "2", "-o", folder.file("sheet.png")},
+        {"sheet", "--of", "solids", "--figures", "4.1", "-o", folder.file("sheet.png")},
     };
     for (const Words& words : wrong) {
         const ProcessResult result = bench(words);

@@ -37,8 +37,9 @@ class SolidWindowTest : public WindowFixture {
     static std::vector<std::string> command(const std::string& file,
                                             const std::vector<std::string>& options = {}) {
         const std::string side = std::to_string(kSize);
-        std::vector<std::string> words = {RELIEVO_VIEW, files_->file(file), "--size",
-                                          side + "x" + side};
+        // The window takes one ray a pixel.
+        std::vector<std::string> words = {RELIEVO_VIEW, files_->file(file), "--rays",
+                                          "1",          "--size",           side + "x" + side};
         words.insert(words.end(), options.begin(), options.end());
         return words;
     }
