@@ -7,7 +7,7 @@ uniform mat4 shadowViewProjection;
 //
 // The texels have the depths of their centres. A plane is nowhere between four of them deeper than at the
 // deepest of them, and so the point is in shadow only if it lies behind all four: no bias is needed for
-// slopes. Half a texel from the border two of them would come from the other side. What is left is rounding: window depths of two programs, each a sum of four products of at most 1.
+// slopes. What is left is rounding: window depths of two programs, each a sum of four products of at most 1.
 float shadowMapVisibility(vec3 position) {
     const float rounding = 16.0 / 16777216.0;
     vec3 place = 0.5 * (shadowViewProjection * vec4(position, 1.0)).xyz + 0.5;
