@@ -83,7 +83,9 @@ bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool 
         } else {
             if (value > 2.0 * kSolidTouch) touch = kSolidTouch;
             way = solidFreeOfField(value, slopes);
-            if (value <= touch || from + way == from) {
+            // The bits, since compilers make way == 0 of from + way == from.
+            bool isStuck = floatBitsToInt(from + way) == floatBitsToInt(from);
+            if (value <= touch || isStuck) {
                 root = from;
                 return true;
             }
