@@ -24,7 +24,7 @@ glm::dvec3 revolvedSize(const ShapeMap& map) {
 }
 
 viewer::Picture repeatedPieces(FigureFrames& frames, float elevation, float distance) {
-    const auto map = figureShape("pawn", frames.texels / 2);
+    const auto map = figureShape("pawn", frames.texels);
     FigureStage figure(frames);
     figure.addSunk(revolutionOf(map, {5, 5}), surfaces::makeQuad({5, 5}, 1), map->aspect(), kIvory);
     figure.eye.elevation = elevation;
