@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "textures/input_error.h"
+
 namespace relievo::viewer {
 namespace {
 
@@ -55,6 +57,29 @@ void addProfileOptions(CLI::App& app, SolidOptions& options) {
         ->type_name("bevel|round|cove|ogee")
         ->default_str("bevel")
         ->group("Shapes");
+    app.add_option_function<std::vector<double>>(
+           "--knots",
+           [&options](const std::vector<double>& numbers) { options.knots = knotsOf(numbers); },
+           "A profile of its own instead of these: depths from 0 to 1 with their offsets; two of "
+           "one depth make a step")
+        ->delimiter(',')
+        ->type_name("Z,O,Z,O,...")
+        ->group("Shapes");
+}
+
+// z,o,z,o,…
+std::vector<glm::dvec2> knotsOf(const std::vector<double>& numbers) {
+    if (numbers.size() % 2 != 0)
+        throw CLI::ValidationError("--knots", "expected pairs of a depth and an offset");
+    std::vector<glm::dvec2> knots;
+    for (std::size_t k = 0; k < numbers.size(); k += 2)
+        knots.emplace_back(numbers[k], numbers[k + 1]);
+    try {
+        static_cast<void>(solids::profileThrough(knots));
+    } catch (const textures::InputError& error) {
+        throw CLI::ValidationError("--knots", error.what());
+    }
+    return knots;
 }
 
 void addWallOptions(CLI::App& app, SolidOptions& options) {

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "solids/solid.h"
 #include "solids/solid_texturing.h"

@@ -23,15 +23,14 @@ constexpr int kWidth = 120;
 constexpr int kHeight = 90;
 
 // The signed distance to a disc, exactly sampled.
-std::shared_ptr<const textures::ShapeMap> disc(glm::dvec2 centre, double radius) {
-    constexpr int kTexels = 64;
+std::shared_ptr<const textures::ShapeMap> disc(glm::dvec2 centre, double radius, int texels = 64) {
     auto shape = std::make_shared<textures::ShapeMap>();
     shape->wrap = textures::WrapMode::Clamp;
     shape->distance = shape->gradientX = shape->gradientY = shape->shape =
-        textures::Plane(kTexels, kTexels);
-    for (int j = 0; j < kTexels; ++j)
-        for (int i = 0; i < kTexels; ++i) {
-            const glm::dvec2 away = (glm::dvec2(i, j) + 0.5) / double{kTexels} - centre;
+        textures::Plane(texels, texels);
+    for (int j = 0; j < texels; ++j)
+        for (int i = 0; i < texels; ++i) {
+            const glm::dvec2 away = (glm::dvec2(i, j) + 0.5) / static_cast<double>(texels) - centre;
             const double length = glm::length(away);
             shape->distance.at(i, j) = static_cast<float>(length - radius);
             shape->gradientX.at(i, j) = static_cast<float>(away.x / length);
@@ -231,6 +230,32 @@ TEST_F(SolidBoxes, ShadowThemselvesAsExactRaysDo) {
     fmt::print("{} of {} pixels in shadow, {} wrong\n", dark, compared, wrong);
     EXPECT_GT(dark, compared / 10);
     EXPECT_LE(wrong, compared / 200);
+}
+
+// A large map, where the digits of t end within a cell, and rays that go on behind many replicas.
+TEST(SolidReplicas, NoRayRunsOutOfSteps) {
+    const auto context = makeTestContext();
+    SolidStage stage(materials::findSolidTechnique("solid"));
+    solids::SolidPart part;
+    part.solid.shape = disc({0.25, 0.6}, 0.2, 1024);
+    part.solid.kind = solids::SolidKind::Revolution;
+    part.windowMaximum = {5.0, 5.0, 1.0};
+    materials::SolidMaterial& material =
+        stage.addSurface({{part}}, surfaces::makeQuad({5.0f, 5.0f}, 1.0f));
+    material.depthScale = 1.0f;
+    OrbitCamera orbit;
+    orbit.azimuth = 20.0f;
+    orbit.elevation = 42.0f;
+    orbit.distance = 0.8f;
+    orbit.target = {0.0f, 0.0f, -0.15f};
+    FrameView view;
+    view.camera = perspectiveCamera(orbit, 4.0f / 3.0f);
+    FrameRenderer frames;
+    const WorkCounts work =
+        countWork(frames.measure(stage.objects({}).front(), view, 2 * kWidth, 2 * kHeight));
+    fmt::print("{} pixels, {:.2f} steps\n", work.pixels, work.meanSteps);
+    EXPECT_GT(work.pixels, 20000u);
+    EXPECT_EQ(work.exhausted, 0u);
 }
 
 }  // namespace
