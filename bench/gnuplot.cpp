@@ -121,6 +121,9 @@ std::string gnuplotScript(const Plot& plot, const std::filesystem::path& output,
     const int rows = (panels + columns - 1) / columns;
     std::string script = fmt::format(
         "set terminal {} noenhanced size {},{} background 'white' font 'sans,{}'\n"
+        // Otherwise the ninth curve has the colour of the first.
+        "set linetype 9 linecolor rgb '#8b5a2b' pointtype 9\n"
+        "set linetype 10 linecolor rgb '#888888' pointtype 10\n"
         "set output {}\n"
         "set multiplot layout {},{} title {}\n"
         "set logscale x {}\nset logscale y\nset grid\nset key {} font ',9'\n"

@@ -23,6 +23,10 @@ std::string rowOf(const SolidMeasurement& m) {
     return fmt::format("{}: {}", m.solid, m.technique);
 }
 
+std::string techniqueOf(const SolidMeasurement& m) {
+    return m.technique;
+}
+
 double fetchesOf(const SolidMeasurement& m) {
     return m.work.meanFetches;
 }
@@ -98,10 +102,16 @@ std::optional<double> atEqualError(const std::vector<SolidMeasurement>& ours,
     return ratio < kNever ? std::optional(ratio) : std::nullopt;
 }
 
-// Ours over theirs: a row a technique and solid, a column an elevation.
+using Summary = ReportCell (*)(const std::vector<double>&);
+
+ReportCell nothingUnlessAll(const std::vector<double>& values, Summary summary) {
+    return greatestOf(values) == ReportCell(kNever) ? ReportCell() : summary(values);
+}
+
+// Ours over theirs: a row for each that `row` makes of measurements, a column an elevation.
 template <typename Cost>
-ReportTable ratiosAtEqualError(const std::vector<SolidMeasurement>& measurements,
-                               const Cost& cost) {
+ReportTable ratiosAtEqualError(const std::vector<SolidMeasurement>& measurements, const Cost& cost,
+                               std::string (*row)(const SolidMeasurement&), Summary summary) {
     const SeriesOfBudgets series = byBudget(measurements);
     MeasurementGrid grid;
     for (const SolidMeasurement& m : measurements) {
@@ -109,10 +119,10 @@ ReportTable ratiosAtEqualError(const std::vector<SolidMeasurement>& measurements
         if (!m.isDefault || m.technique == kOurs || ours == series.end())
             continue;
         const auto ratio = atEqualError(ours->second, series.at(keyOf(m, m.technique)), cost);
-        grid.add(rowOf(m), columnOf(m), ratio.value_or(kNever));
+        grid.add(row(m), columnOf(m), ratio.value_or(kNever));
     }
-    return grid.table("solid and search", [](const std::vector<double>& values) {
-        return greatestOf(values) == ReportCell(kNever) ? ReportCell() : meanOf(values);
+    return grid.table("search", [summary](const std::vector<double>& values) {
+        return nothingUnlessAll(values, summary);
     });
 }
 
@@ -124,7 +134,7 @@ ReportTable costWithin(const std::vector<SolidMeasurement>& measurements, double
             grid.add(rowOf(m), columnOf(m),
                      leastCost(series.at(keyOf(m, m.technique)), wrongShare, fetchesOf));
     return grid.table("solid and search", [](const std::vector<double>& values) {
-        return greatestOf(values) == ReportCell(kNever) ? ReportCell() : meanOf(values);
+        return nothingUnlessAll(values, meanOf);
     });
 }
 
@@ -182,9 +192,14 @@ std::vector<ReportSection> summariseSolids(const std::vector<SolidMeasurement>& 
          "Over those of the other search: that with the cheapest budget with which it is within 2 "
          "% "
          "of the fewest wrong hits that it comes to, ours with the cheapest one with which it has "
-         "no more. Mean over the shapes; – where for some shape ours never does.",
-         ratiosAtEqualError(measurements, fetchesOf)},
-        {"Our time at equal error", "Likewise.", ratiosAtEqualError(measurements, secondsOf)},
+         "no more. From the least to the greatest ratio over solids and shapes; – where for some "
+         "of "
+         "them ours never does.",
+         ratiosAtEqualError(measurements, fetchesOf, techniqueOf, rangeOf)},
+        {"Our lookups at equal error, solid by solid", "Likewise, mean over the shapes.",
+         ratiosAtEqualError(measurements, fetchesOf, rowOf, meanOf)},
+        {"Our time at equal error", "Likewise.",
+         ratiosAtEqualError(measurements, secondsOf, rowOf, meanOf)},
         {"Lookups of profiles over those of upright walls",
          "Of our search, for the same shape and elevation: from the least to the greatest ratio "
          "over the shapes.",
