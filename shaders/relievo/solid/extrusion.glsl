@@ -43,7 +43,7 @@ bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, 
         float s = from - walk.t;
         vec3 g = vec3(distances.x + (distances.y + distances.z * s) * s - sense * solidPieceOffset(index, z),
                       distances.y + 2.0 * distances.z * s - sense * line.w * dz, distances.z);
-        float root = solidFirstRoot(g, to - from, isOnSurface);
+        float root = solidFirstRoot(g, to - from, isOnSurface, cursor.isInside);
         if (root < kReliefBoundless) {
             float t = from + root;
             if (isStep && root == 0.0) {
@@ -88,14 +88,18 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         float clear = walk.t;
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
-            if (isStart && distances.x <= offset) {
+            if (isStart && solidIsPassed(distances.x - offset, cursor.isInside)) {
                 // What is solid where a ray begins shows the side that it came in by.
                 cursor.side = path.enterNormal;
                 return;
             }
             clear += solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
         }
-        if (clear <= exit && solidMeetInCell(part, path, walk, distances, exit, isOnSurface, cursor)) return;
+        // A cell of no length leads neither off the surface nor through it.
+        bool isBare = isOnSurface && exit <= cursor.t;
+        if (clear <= exit && !isBare &&
+            solidMeetInCell(part, path, walk, distances, exit, isOnSurface, cursor))
+            return;
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
@@ -109,7 +113,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
             return;
         }
         isStart = false;
-        isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
+        isOnSurface = isBare;
         // The step alone is sure to leave the cell.
         reliefStepWalk(walk);
         if (clear > walk.exit) reliefJumpWalk(walk, clear);

@@ -37,21 +37,26 @@ float solidFreeOfProfile(int part, int piece, int way, float distance, float z, 
     return kSolidShort * max(everywhere, here);
 }
 
-// The first s in [0, span] with x + y·s + z·s² ≤ 0; kReliefBoundless: none. One that begins on the surface
-// goes on to where it comes back.
-float solidFirstRoot(vec3 g, float span, bool isOnSurface) {
+// Whether the surface has been passed where the function of the solid has this value in the sense of the ray.
+// The surface itself is solid, and so is all of a map without signs that is 0: what is inside stays so.
+bool solidIsPassed(float value, bool isInside) { return isInside ? value < 0.0 : value <= 0.0; }
+
+// The first s in [0, span] at which x + y·s + z·s² passes 0; kReliefBoundless: none. One that begins on the
+// surface goes on to where it comes back; where that is level it stays on its side.
+float solidFirstRoot(vec3 g, float span, bool isOnSurface, bool isInside) {
     float s = kReliefBoundless;
     if (isOnSurface) {
-        if (g.y <= 0.0) return 0.0;
+        if (g.y < 0.0 || (g.y == 0.0 && g.z < 0.0)) return 0.0;
         if (g.z < 0.0) s = -g.y / g.z;
     } else {
-        if (g.x <= 0.0) return 0.0;
+        if (solidIsPassed(g.x, isInside)) return 0.0;
         float discriminant = g.y * g.y - 4.0 * g.z * g.x;
         if (discriminant < 0.0) return kReliefBoundless;
         float root = sqrt(discriminant);
         // The smaller positive root in the form in which nothing cancels.
         if (g.y <= 0.0) {
-            s = root - g.y > 0.0 ? 2.0 * g.x / (root - g.y) : kReliefBoundless;
+            if (root - g.y > 0.0) s = 2.0 * g.x / (root - g.y);
+            if (g.x == 0.0 && g.z < 0.0) s = 0.0;
         } else if (g.z < 0.0) {
             s = (g.y + root) / (-2.0 * g.z);
         }
