@@ -179,6 +179,13 @@ std::vector<SolidCase> extrusionCases() {
         cases.push_back(boxed(fmt::format("star in a box, {}", named.name),
                               {extrusion(boxStar, named.profile)}));
     }
+    cases.push_back(boxed("star of 512², chamfer",
+                          {extrusion(sampleShape("star", {.width = 512, .height = 512}),
+                                     makeProfile(0.0, 0.08, 0.3))}));
+    SolidPart cut = extrusion(boxStar, makeProfile(0.0, 0.08, 0.9));
+    cut.windowMinimum = {0.13, 0.4, 0.25};
+    cut.windowMaximum = {0.77, 0.9, 0.7};
+    cases.push_back(boxed("star cut off", {cut}));
     const Profile round = profiles()[7].profile;
     // Of an unsigned map, which is 0 all over the inside, the outline is best taken between texels.
     const Profile halfTexel = makeProfile(0.5 / 101.0, 0.04, 0.3);
@@ -227,6 +234,10 @@ std::vector<SolidCase> revolutionCases() {
         glm::dvec3(1.0), 1.0));
     cases.push_back(boxed("torus, extended", {revolution(sampleShape("torus", clamped), 0.04)}));
     cases.push_back(boxed("cone, smaller", {revolution(sampleShape("cone", clamped), -0.05)}));
+    cases.push_back(
+        boxed("torus of 1024²",
+              {revolution(sampleShape("torus",
+                                      {.width = 1024, .height = 1024, .wrap = WrapMode::Clamp}))}));
     SolidPart offCentre = revolution(sampleShape("vase", clamped));
     offCentre.solid.axis = {0.3, 0.85};
     cases.push_back(boxed("vase, off-centre", {offCentre}));
@@ -266,6 +277,26 @@ std::vector<SolidCase> compoundCases() {
     cases.push_back(boxed("star across with ball",
                           {joined(roundStar, BooleanOperation::Union, upright),
                            joined(ball, BooleanOperation::Intersection, glm::dmat4(1.0))}));
+    // What is taken away repeats, or is 0 all over its inside.
+    const glm::dmat4 manifold = glm::scale(glm::dmat4(1.0), glm::dvec3(4.0, 4.0, 2.0));
+    cases.push_back(
+        boxed("drum less 4×4×2 vases",
+              {drum, joined(repeated(revolution(sampleShape("vase", {.wrap = WrapMode::Mirror})),
+                                     glm::dvec3(4.0, 4.0, 2.0)),
+                            BooleanOperation::Difference, manifold)}));
+    cases.push_back(boxed(
+        "star less 4×4 letters",
+        {roundStar,
+         joined(repeated(extrusion(sampleShape("letters", {.width = 96, .wrap = WrapMode::Mirror}),
+                                   makeProfile(0.0, 0.05, 0.8)),
+                         glm::dvec3(4.0, 4.0, 1.0)),
+                BooleanOperation::Difference,
+                glm::scale(glm::dmat4(1.0), glm::dvec3(4.0, 4.0, 1.0)))}));
+    cases.push_back(boxed(
+        "drum less unsigned star",
+        {drum, joined(extrusion(sampleShape("star", {.wrap = WrapMode::Clamp, .isSigned = false}),
+                                makeProfile(0.0)),
+                      BooleanOperation::Difference, glm::dmat4(1.0))}));
     // The star twice as small, in a corner.
     const glm::dmat4 doubled =
         glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5)), glm::dvec3(2.0));
