@@ -297,6 +297,10 @@ std::vector<SolidCase> compoundCases() {
         {drum, joined(extrusion(sampleShape("star", {.wrap = WrapMode::Clamp, .isSigned = false}),
                                 makeProfile(0.0)),
                       BooleanOperation::Difference, glm::dmat4(1.0))}));
+    cases.push_back(boxed(
+        "drum less unsigned vase",
+        {drum, joined(revolution(sampleShape("vase", {.wrap = WrapMode::Clamp, .isSigned = false})),
+                      BooleanOperation::Difference, turned(20.0, {0.0, 1.0, 0.0}))}));
     // The star twice as small, in a corner.
     const glm::dmat4 doubled =
         glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5)), glm::dvec3(2.0));

@@ -72,6 +72,10 @@ struct SolidCursor {
 // Which way a ray looks at a profile: down or up from outside, down or up from inside.
 int solidWay(float dz, bool isInside) { return (dz < 0.0 ? 1 : 0) + (isInside ? 2 : 0); }
 
+// Whether the surface has been passed where the function of the solid has this value in the sense of the ray.
+// The surface itself is solid, and so is all of a map without signs that is 0: what is inside stays so.
+bool solidIsPassed(float value, bool isInside) { return isInside ? value < 0.0 : value <= 0.0; }
+
 // The t until which a ray is free that is `gap` texels in front of a surface, goes `speed` texels a unit of t
 // and is approached by it at `closing` (≥ 0). The bilinear interpolation of distances is their mean over
 // places rounded at random to the corners of the cell; from a place to one r texels on they are rounded by

@@ -37,10 +37,6 @@ float solidFreeOfProfile(int part, int piece, int way, float distance, float z, 
     return kSolidShort * max(everywhere, here);
 }
 
-// Whether the surface has been passed where the function of the solid has this value in the sense of the ray.
-// The surface itself is solid, and so is all of a map without signs that is 0: what is inside stays so.
-bool solidIsPassed(float value, bool isInside) { return isInside ? value < 0.0 : value <= 0.0; }
-
 // The first s in [0, span] at which x + y·s + z·s² passes 0; kReliefBoundless: none. One that begins on the
 // surface goes on to where it comes back; where that is level it stays on its side.
 float solidFirstRoot(vec3 g, float span, bool isOnSurface, bool isInside) {

@@ -69,16 +69,18 @@ float solidLeaveSurface(vec3 slopes) {
 // The first t from `from` on to `end` at which the field comes down to 0; kReliefBoundless: none. False: it
 // has not come so far, and `from` is where it has come. Up to the turn and from there on the bounds are
 // different ones.
-bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool isOnSurface, inout float from,
-                    out float root) {
+bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool isOnSurface, bool isInside,
+                    inout float from, out float root) {
     root = kReliefBoundless;
-    float touch = isOnSurface ? 0.0 : kSolidTouch;
+    // Inside of a map without signs the field is 0 all over: there only what is behind the surface is passed.
+    float touch = isOnSurface || isInside ? 0.0 : kSolidTouch;
     for (int k = 0; k < kSolidParabolas; ++k) {
         float stretch = from < section.turn ? min(section.turn, end) : end;
         vec3 slopes = solidFieldSlopes(field, section, from, stretch);
         float value = solidFieldAt(field, section, from);
+        bool isLevel = isInside && value == 0.0 && slopes.x >= 0.0;
         float way;
-        if (isOnSurface) {
+        if (isOnSurface || isLevel) {
             way = solidLeaveSurface(slopes);
             isOnSurface = false;
         } else {
@@ -148,7 +150,7 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         float clear = section.t;
         if (!isOnSurface) {
             float value = solidFieldAt(field, section, section.t);
-            if (isFresh && value <= 0.0) {
+            if (isFresh && solidIsPassed(value, cursor.isInside)) {
                 // What is solid where a ray comes in shows the side that it came in by.
                 cursor.t = section.t;
                 cursor.side = side;
@@ -159,7 +161,7 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         if (clear <= exit) {
             float root;
             float from = section.t;
-            bool isSettled = solidFieldRoot(field, section, exit, isOnSurface, from, root);
+            bool isSettled = solidFieldRoot(field, section, exit, isOnSurface, cursor.isInside, from, root);
             if (root < kReliefBoundless) {
                 cursor.t = root;
                 cursor.side = vec3(0.0);
