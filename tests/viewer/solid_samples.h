@@ -39,7 +39,6 @@ struct SolidCase {
     glm::dvec3 low{0.0};  ///< of the box, or of the window of the surface
     glm::dvec3 high{1.0};
     double depth = 0.3;  ///< of z = 1, in tile widths
-    int steps = 0;       ///< that a search may take; 0: as many as by default
 };
 
 /// Extrusions of every profile, wrap mode, sign and format; revolutions; compounds.

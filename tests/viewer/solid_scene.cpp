@@ -49,8 +49,6 @@ SolidScene::SolidScene(SolidTestStage& stage, const SolidCase& solidCase)
     material.high = case_.high;
     material.hasFloor = false;
     material.depthScale = static_cast<float>(case_.depth);
-    if (case_.steps > 0)
-        material.setParameter("solid-steps", case_.steps);
     if (case_.isInBox)
         material.boxFromWhole = boxFromWhole(case_);
 }
