@@ -35,6 +35,21 @@ std::map<std::string, ProfileShape> curveNames() {
     return names;
 }
 
+// z,o,z,o,…
+std::vector<glm::dvec2> knotsOf(const std::vector<double>& numbers) {
+    if (numbers.size() % 2 != 0)
+        throw CLI::ValidationError("--knots", "expected pairs of a depth and an offset");
+    std::vector<glm::dvec2> knots;
+    for (std::size_t k = 0; k < numbers.size(); k += 2)
+        knots.emplace_back(numbers[k], numbers[k + 1]);
+    try {
+        static_cast<void>(solids::profileThrough(knots));
+    } catch (const textures::InputError& error) {
+        throw CLI::ValidationError("--knots", error.what());
+    }
+    return knots;
+}
+
 void addProfileOptions(CLI::App& app, SolidOptions& options) {
     const CLI::Range offsets(-kMostOffset, kMostOffset);
     app.add_option("--extension", options.extension,
@@ -65,21 +80,6 @@ void addProfileOptions(CLI::App& app, SolidOptions& options) {
         ->delimiter(',')
         ->type_name("Z,O,Z,O,...")
         ->group("Shapes");
-}
-
-// z,o,z,o,…
-std::vector<glm::dvec2> knotsOf(const std::vector<double>& numbers) {
-    if (numbers.size() % 2 != 0)
-        throw CLI::ValidationError("--knots", "expected pairs of a depth and an offset");
-    std::vector<glm::dvec2> knots;
-    for (std::size_t k = 0; k < numbers.size(); k += 2)
-        knots.emplace_back(numbers[k], numbers[k + 1]);
-    try {
-        static_cast<void>(solids::profileThrough(knots));
-    } catch (const textures::InputError& error) {
-        throw CLI::ValidationError("--knots", error.what());
-    }
-    return knots;
 }
 
 void addWallOptions(CLI::App& app, SolidOptions& options) {
@@ -176,8 +176,10 @@ solids::Compound compoundOf(const SolidOptions& options,
         part.solid.extension = options.extension;
         part.windowMaximum.z = options.depthTiles;
     } else {
-        part.solid.profile =
-            solids::makeProfile(options.extension, options.bevel, options.chamfer, options.curve);
+        part.solid.profile = options.knots.empty()
+                                 ? solids::makeProfile(options.extension, options.bevel,
+                                                       options.chamfer, options.curve)
+                                 : solids::profileThrough(options.knots);
     }
     return {{part}};
 }

@@ -20,13 +20,14 @@ namespace relievo::viewer {
 struct SolidOptions {
     solids::SolidKind kind = solids::SolidKind::Extrusion;
     solids::ProfileShape curve = solids::ProfileShape::Bevel;
-    double extension = 0.0;   ///< e, in tile widths
-    double bevel = 0.0;       ///< b
-    double chamfer = 1.0;     ///< c, in [0,1]
-    glm::dvec2 axis{0.5};     ///< O of a revolution
-    int depthTiles = 1;       ///< replicas of a revolution along z
-    glm::vec3 boxSize{0.0f};  ///< edges S of a shape box; 0: undistorted, the longest of 1
-    bool hasFloor = true;     ///< of a solid sunk into a surface
+    double extension = 0.0;         ///< e, in tile widths
+    double bevel = 0.0;             ///< b
+    double chamfer = 1.0;           ///< c, in [0,1]
+    std::vector<glm::dvec2> knots;  ///< (z, offset) of a profile instead of these; empty: none
+    glm::dvec2 axis{0.5};           ///< O of a revolution
+    int depthTiles = 1;             ///< replicas of a revolution along z
+    glm::vec3 boxSize{0.0f};        ///< edges S of a shape box; 0: undistorted, the longest of 1
+    bool hasFloor = true;           ///< of a solid sunk into a surface
     solids::SolidTexturing texturing = solids::SolidTexturing::Box;
     std::filesystem::path wallRelief;     ///< a relief on walls and caps; "" without one
     std::string wallTechnique = "exact";  ///< of the registry of reliefs; `normal`: a bump map

@@ -164,10 +164,11 @@ float solidWindowDepth(SolidTrace trace, mat4 viewProjection) {
 bool solidIsLit(SolidTrace trace, vec3 toLight) {
     if (dot(trace.normal, toLight) <= 0.0) return false;
     SolidPart info = solidParts[max(trace.hit.part, 0)];
-    // A hundredth of a texel off the surface, so that the ray does not begin in it.
+    // A hundredth of a texel off the surface, so that the ray does not begin in it; and by as much as stored
+    // distances are rounded, which makes stairs of it.
     mat3 toPart = mat3(info.fromWhole) * trace.toWhole;
     vec3 off = toPart * trace.normal;
-    float lift = 0.01 * info.windowMaximum.w / max(length(off), 1e-30);
+    float lift = (0.01 + info.section.w) * info.windowMaximum.w / max(length(off), 1e-30);
     SolidRay ray;
     ray.origin = trace.hit.position + trace.toWhole * (lift * trace.normal);
     ray.direction = trace.toWhole * toLight;
