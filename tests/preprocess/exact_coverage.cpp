@@ -1,7 +1,6 @@
-#include "coverage_outline.h"
+#include "exact_coverage.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace relievo::preprocess {
@@ -61,43 +60,6 @@ textures::Plane coverageOf(const PlaneShape& shape, int width, int height, int l
         }
     }
     return coverage;
-}
-
-std::vector<BoundarySegment> halfLevel(const textures::Plane& coverage) {
-    const auto at = [&](int i, int j) {
-        const bool isIn = i >= 0 && j >= 0 && i < coverage.width && j < coverage.height;
-        return isIn ? static_cast<double>(coverage.at(i, j)) - 0.5 : -0.5;
-    };
-    std::vector<BoundarySegment> segments;
-    for (int j = -1; j < coverage.height; ++j)
-        for (int i = -1; i < coverage.width; ++i) {
-            // Around the cell; crossings of its sides in that order.
-            const std::array<glm::dvec2, 4> places{
-                {{i + 0.5, j + 0.5}, {i + 1.5, j + 0.5}, {i + 1.5, j + 1.5}, {i + 0.5, j + 1.5}}};
-            const std::array<double, 4> values{at(i, j), at(i + 1, j), at(i + 1, j + 1),
-                                               at(i, j + 1)};
-            std::array<glm::dvec2, 4> crossings;
-            std::size_t count = 0;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const std::size_t next = (k + 1) % 4;
-                if ((values[k] >= 0.0) == (values[next] >= 0.0))
-                    continue;
-                const double share = values[k] / (values[k] - values[next]);
-                crossings[count++] = places[k] + share * (places[next] - places[k]);
-            }
-            if (count == 2)
-                segments.push_back({crossings[0], crossings[1]});
-            if (count == 4) {
-                // The crossing of the hyperbola's axes tells which two belong together.
-                const double saddle = values[0] * values[2] - values[1] * values[3];
-                const double sum = values[0] + values[2] - values[1] - values[3];
-                const bool isFirstJoined = (saddle / sum >= 0.0) == (values[0] >= 0.0);
-                const std::size_t shift = isFirstJoined ? 0 : 1;
-                segments.push_back({crossings[shift], crossings[shift + 1]});
-                segments.push_back({crossings[shift + 2], crossings[(shift + 3) % 4]});
-            }
-        }
-    return segments;
 }
 
 }  // namespace relievo::preprocess
