@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/difference_of_products.h"
+
 namespace relievo::reference {
-
-namespace {
-
-/// a·b − c·d with an error of about one unit in the last place (Kahan): the plain form loses every
-/// digit where the two products cancel, which is where a ray grazes the surface.
-double differenceOfProducts(double a, double b, double c, double d) noexcept {
-    const double product = c * d;
-    const double productError = std::fma(-c, d, product);
-    return std::fma(a, b, -product) + productError;
-}
-
-}  // namespace
 
 BilinearCell::BilinearCell(double d00, double d10, double d01, double d11) noexcept
     : corner(d00),

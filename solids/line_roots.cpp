@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/difference_of_products.h"
+
 namespace relievo::solids {
-namespace {
-
-// a·b − c·d with an error of about one unit in the last place (Kahan).
-double differenceOfProducts(double a, double b, double c, double d) noexcept {
-    const double product = c * d;
-    const double productError = std::fma(-c, d, product);
-    return std::fma(a, b, -product) + productError;
-}
-
-}  // namespace
+using reference::differenceOfProducts;
 
 bool Quadratic::beginsInside() const noexcept {
     if (constant != 0.0)

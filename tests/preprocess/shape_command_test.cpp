@@ -129,8 +129,7 @@ TEST_F(Shape, ImagesOfEitherPolarityAndUnsigned) {
 }
 
 TEST_F(Shape, TextHasItsFont) {
-    if (!std::filesystem::exists(kFont))
-        GTEST_SKIP() << "skipped: no file " << kFont;
+    ASSERT_TRUE(std::filesystem::exists(kFont)) << kFont << " is in scripts/debian_packages.txt";
     const ShapeMap map = baked(kFont + ":I I", "text.exr");
     EXPECT_EQ(map.width(), 512);
     const auto& row = map.distance;  // through two strokes with a space between them
