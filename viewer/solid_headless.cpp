@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "commands/program.h"
 #include "gl/context.h"
@@ -13,6 +17,7 @@
 #include "textures/input_error.h"
 #include "textures/map_file.h"
 #include "viewer/contact_sheet.h"
+#include "viewer/heat_map.h"
 #include "viewer/solid_session.h"
 #include "viewer/temporal_error.h"
 #include "viewer/tessellation_count.h"
@@ -71,25 +76,67 @@ Picture render(SolidSession& session, const ViewOptions& options) {
     return averaged(picture, factor);
 }
 
-SheetCell renderOne(ViewOptions options, const std::string& name) {
-    const materials::SolidTechnique& technique = materials::findSolidTechnique(name);
-    SolidSession session(options, technique);
+// What one search shows of the file.
+struct SearchResult {
+    SheetCell picture;
+    std::optional<SheetCell> heatMap;
+    std::vector<NamedPlane> errors;
+};
+
+std::string countsOf(const MeasuredFrame& frame) {
+    const WorkCounts work = countWork(frame);
+    std::string counts =
+        fmt::format("{:.1f} steps, {:.1f} fetches a pixel", work.meanSteps, work.meanFetches);
+    if (work.exhausted > 0)
+        counts += fmt::format(", {} ran out", work.exhausted);
+    return counts;
+}
+
+void addErrors(const SolidErrors& errors, const materials::Technique& technique,
+               SearchResult& result) {
+    const reference::ErrorStatistics& statistics = errors.statistics;
+    const std::string summary =
+        fmt::format("{:.2f} % wrong, mean {:.4f}, max {:.1f} texels", 100 * statistics.wrongShare,
+                    statistics.meanDistance, statistics.maximumDistance);
+    commands::say(fmt::format("    against the exact hits: {}", summary));
+    result.heatMap = {heatMap(errors.image), fmt::format("error of {}", technique.title), summary};
+    result.errors = namedPlanes(errors, std::string(technique.name));
+}
+
+SearchResult renderOne(ViewOptions options, const std::string& name) {
+    const materials::Technique& technique = materials::findSolidTechnique(name).technique;
+    SolidSession session(options, materials::findSolidTechnique(name));
     if (session.scene()) {
         takeSceneView(*session.scene(), options);
         reportScene(*session.scene());
     }
     session.edit(options);
-    const Picture picture = render(session, options);
-    std::string counts;
+    SearchResult result{{render(session, options), std::string(technique.title), ""}, {}, {}};
     if (session.shape()) {
-        const WorkCounts work = countWork(session.measure(options, options.width, options.height));
-        counts =
-            fmt::format("{:.1f} steps, {:.1f} fetches a pixel", work.meanSteps, work.meanFetches);
-        if (work.exhausted > 0)
-            counts += fmt::format(", {} ran out", work.exhausted);
-        commands::say(fmt::format("  {}: {}", technique.technique.title, counts));
+        const MeasuredFrame frame = session.measure(options, options.width, options.height);
+        result.picture.subtitle = countsOf(frame);
+        commands::say(fmt::format("  {}: {}", technique.title, result.picture.subtitle));
+        if (!options.errorFile.empty())
+            addErrors(session.errorsOf(frame, options), technique, result);
     }
-    return {picture, std::string(technique.technique.title), counts};
+    return result;
+}
+
+// A single picture without errors is no sheet.
+Picture assemble(std::vector<SearchResult>& results) {
+    std::vector<std::vector<SheetCell>> rows(1);
+    std::vector<SheetCell> heatMaps;
+    for (SearchResult& result : results) {
+        rows.front().push_back(std::move(result.picture));
+        if (result.heatMap)
+            heatMaps.push_back(std::move(*result.heatMap));
+    }
+    if (heatMaps.empty())
+        return results.size() == 1 ? rows.front().front().picture : makeContactSheet(rows, {});
+    const int width = rows.front().front().picture.width;
+    const int columns = static_cast<int>(results.size());
+    rows.push_back(std::move(heatMaps));
+    return makeContactSheet(rows, heatScale(std::max(480, std::min(columns, 2) * width)));
 }
 
 }  // namespace
@@ -97,10 +144,8 @@ SheetCell renderOne(ViewOptions options, const std::string& name) {
 void checkSolidOptions(const ViewOptions& options) {
     if (options.files.size() > 1)
         throw UsageError("several files: expected a single scene or shape");
-    if (!options.errorFile.empty())
-        throw UsageError(
-            "--error: scenes and shapes have no exact picture here, see relievo-bench "
-            "solid");
+    if (!options.errorFile.empty() && isSceneFile(options.files.front().string()))
+        throw UsageError("--error compares single shapes, not scenes");
     requireNoReliefOptions(options);
     for (const std::string& name : options.techniques)
         static_cast<void>(materials::findSolidTechnique(name));
@@ -119,14 +164,22 @@ bool isSolidFile(const std::string& file) {
 void runSolidHeadless(const ViewOptions& options) {
     checkSolidOptions(options);
     requirePictureFile(options.output);
+    if (!options.errorFile.empty())
+        requireChannelFile(options.errorFile);
     const auto context = gl::createContext(options.backend);
     commands::say(context->description());
     commands::say(options.files.front().string());
-    std::vector<SheetCell> cells;
-    for (const std::string& name : options.techniques)
-        cells.push_back(renderOne(options, name));
-    writePicture(options.output,
-                 cells.size() == 1 ? cells.front().picture : makeContactSheet({cells}, {}));
+    std::vector<SearchResult> results;
+    std::vector<NamedPlane> errors;
+    for (const std::string& name : options.techniques) {
+        results.push_back(renderOne(options, name));
+        std::ranges::move(results.back().errors, std::back_inserter(errors));
+    }
+    if (!options.errorFile.empty()) {
+        writeChannels(options.errorFile, errors);
+        commands::say(fmt::format("wrote {}", options.errorFile.string()));
+    }
+    writePicture(options.output, assemble(results));
     commands::say(fmt::format("wrote {}", options.output.string()));
 }
 

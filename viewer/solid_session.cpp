@@ -212,4 +212,14 @@ MeasuredFrame SolidSession::measure(const ViewOptions& options, int width, int h
                            width, height);
 }
 
+SolidErrors SolidSession::errorsOf(const MeasuredFrame& frame, const ViewOptions& options) const {
+    const bool isInBox = place_.object == ObjectKind::ShapeBox;
+    const glm::dvec3 tile =
+        isInBox ? place_.boxSize / place_.tiles
+                : glm::dvec3(1.0, place_.tileAspect, static_cast<double>(options.depthScale));
+    const SolidMetric metric{static_cast<double>(shape_->width()) / tile.x * tile,
+                             !isInBox && options.solid.hasFloor};
+    return measureSolidErrors(frame, material_->compound, metric);
+}
+
 }  // namespace relievo::viewer

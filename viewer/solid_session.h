@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viewer/frame_renderer.h"
+#include "viewer/solid_errors.h"
 #include "viewer/solid_stage.h"
 #include "viewer/view_options.h"
 
@@ -41,6 +42,9 @@ class SolidSession {
     void draw(const ViewOptions& options, gl::Framebuffer& target);
     /// Steps and lookups of the searches of a frame of that size; of a shape alone.
     MeasuredFrame measure(const ViewOptions& options, int width, int height);
+    /// How far such a frame is from the exact hits of its rays.
+    [[nodiscard]] SolidErrors errorsOf(const MeasuredFrame& frame,
+                                       const ViewOptions& options) const;
 
     /// The scene, or nothing for a shape.
     [[nodiscard]] const std::optional<SceneFile>& scene() const noexcept { return scene_; }

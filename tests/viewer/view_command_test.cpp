@@ -251,6 +251,26 @@ TEST_F(ViewCommandTest, WrongUsageIsStatusTwo) {
         expectFailure(run({map(), "--headless", "-o", picture, "--size", size}), 2, "--size");
 }
 
+// Of a shape the searches are compared with the exact hits of their rays: ours is right, and the
+// printed one is not at this angle.
+TEST_F(ViewCommandTest, ComparesSearchesOfAShapeWithExactHits) {
+    const std::string drawing = inputs_.file("disc.svg");
+    std::ofstream(drawing) << R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">)"
+                           << R"(<circle cx="2" cy="2" r="1.2"/></svg>)";
+    const ProcessResult result = render(
+        drawing, outputs_.file("sheet.png"),
+        {"--solid", "revolution", "--tiles", "8,8", "--depth-scale", "1", "--camera", "20,8,1.2",
+         "--compare", "solid,revolution-printed", "--error", outputs_.file("error.exr")});
+    ASSERT_EQ(result.exitStatus, 0) << result.errors;
+    EXPECT_THAT(outputs_.list(), ElementsAre("error.exr", "sheet.png"));
+    const std::string wrong = "against the exact hits: ";
+    const std::size_t ours = result.output.find(wrong + "0.00 % wrong");
+    EXPECT_NE(ours, std::string::npos) << result.output;
+    const std::size_t printed = result.output.find(wrong, ours + 1);
+    ASSERT_NE(printed, std::string::npos) << result.output;
+    EXPECT_NE(result.output.substr(printed + wrong.size(), 4), "0.00") << result.output;
+}
+
 // What would do nothing for a shape is refused.
 TEST_F(ViewCommandTest, OptionsOfReliefsAreNotThoseOfShapes) {
     const std::string picture = outputs_.file("a.png");
