@@ -152,8 +152,9 @@ class SolidBoxes : public testing::Test {
 };
 
 constexpr double kTolerance = 1e-3;  // world units: the boxes are 1 wide
-// Rays along silhouettes and the common curves of surfaces.
-constexpr double kMostWrong = 1e-3;
+// A pixel of a frame: where a ray grazes a silhouette rounding decides, and processors round alike
+// but in fused products.
+constexpr double kMostWrong = 1.0 / (kWidth * kHeight);
 
 TEST_F(SolidBoxes, ShowTheNearestSurfaceFromEverySide) {
     for (const bool isReversed : {false, true})
@@ -229,7 +230,7 @@ TEST_F(SolidBoxes, ShadowThemselvesAsExactRaysDo) {
     }
     fmt::print("{} of {} pixels in shadow, {} wrong\n", dark, compared, wrong);
     EXPECT_GT(dark, compared / 10);
-    EXPECT_LE(wrong, compared / 200);
+    EXPECT_LE(wrong, compared / 1000);
 }
 
 // A large map, where the digits of t end within a cell, and rays that go on behind many replicas.
