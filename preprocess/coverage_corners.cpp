@@ -206,7 +206,7 @@ void straightenEnd(OutlinePoint& end, const OutlinePoint& last, const OutlinePoi
             continue;
         const glm::dvec2 along = last.place - before.place;
         const double share = (end.place[axis] - last.place[axis]) / along[axis];
-        if (!(share >= 0.0))  // it comes along the border
+        if (!(share >= 0.0 && std::isfinite(share)))  // it comes along the border
             return;
         const double aside = std::clamp(share * along[1 - axis], -kFarthestAside, kFarthestAside);
         end.place[1 - axis] = std::clamp(last.place[1 - axis] + aside, 0.0, size[1 - axis]);
