@@ -1,6 +1,7 @@
 #include "preprocess/boundary_distance.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -306,17 +307,21 @@ void measureBand(const BoundaryTree& tree, int top, BoundaryDistances& distances
 }  // namespace
 
 BoundaryDistances measureBoundaryDistances(const BoundaryTree& tree, int width, int height,
-                                           const std::function<void(std::size_t)>& advance) {
+                                           const RowsMeasured& rowsMeasured) {
     using textures::Plane;
-    BoundaryDistances distances{Plane(width, height, std::numeric_limits<float>::infinity()),
-                                Plane(width, height), Plane(width, height)};
+    BoundaryDistances distances;
+    // Memory is touched for the first time here, which takes longer than to fill it.
+    tbb::parallel_invoke(
+        [&] { distances.distance = Plane(width, height, std::numeric_limits<float>::infinity()); },
+        [&] { distances.awayX = Plane(width, height); },
+        [&] { distances.awayY = Plane(width, height); });
     if (tree.nodes.empty())
         return distances;
     tbb::parallel_for(0, (height + kBlock - 1) / kBlock, [&](int band) {
-        measureBand(tree, band * kBlock, distances);
-        const int rows = std::min(kBlock, height - band * kBlock);
-        if (advance)
-            advance(static_cast<std::size_t>(rows) * static_cast<std::size_t>(width));
+        const int first = band * kBlock;
+        measureBand(tree, first, distances);
+        if (rowsMeasured)
+            rowsMeasured(distances, first, std::min(first + kBlock, height));
     });
     return distances;
 }
