@@ -59,8 +59,7 @@ BakeOutput buildDistances(const BakeInput& input) {
 BakeOutput buildShape(const BakeInput& input) {
     preprocess::ShapePlan plan;
     plan.wrap = input.map.wrap;
-    return otherOutput(
-        preprocess::bakeShape({input.coverage, input.map.width(), input.map.height(), ""}, plan));
+    return otherOutput(preprocess::bakeShape(input.shape, plan));
 }
 
 BakeOutput buildSequentialDistances(const BakeInput& input) {
@@ -264,7 +263,7 @@ BakeInput makeBakeInput(textures::DepthMap map) {
     input.lowered = input.raised;
     for (std::uint8_t& texel : input.lowered)
         texel = static_cast<std::uint8_t>(1 - texel);
-    input.coverage = coverageAboveMedian(input.map.depth);
+    input.shape = {coverageAboveMedian(input.map.depth), input.map.width(), input.map.height(), ""};
     return input;
 }
 
