@@ -157,6 +157,7 @@ Plane binaryShape(const Sampled& shape) {
 
 std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segments) {
     std::vector<BoundarySegment> pieces;
+    pieces.reserve(segments.size());
     for (const auto& [start, end] : segments) {
         const int count =
             1 + static_cast<int>(std::floor(glm::distance(start, end) / kLongestPiece));
