@@ -287,7 +287,10 @@ class BlockSearch {
     static void store(const float* values, int i, int j, textures::Plane& plane) {
         const int columns = std::min(kSquare, plane.width - i);
         for (int row = j; row < std::min(j + kSquare, plane.height); ++row, values += kSquare)
-            std::copy_n(values, columns, &plane.at(i, row));
+            if (columns == kSquare)  // what the compiler knows to be short takes two instructions
+                std::copy_n(values, kSquare, &plane.at(i, row));
+            else
+                std::copy_n(values, columns, &plane.at(i, row));
     }
 
     const BoundaryTree& tree_;
