@@ -64,14 +64,6 @@ Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan
             &coverage};
 }
 
-// The greatest result of work(range of texels, greatest so far).
-template <typename Work>
-double greatestOver(const Plane& plane, const Work& work) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, plane.texels.size(), kTexelsAtOnce), 0.0, work,
-        [](double a, double b) { return std::max(a, b); });
-}
-
 // Rounds distances to the format. Returns the most that it takes.
 double roundToFormat(Plane& distance, textures::StorageFormat format) {
     if (format == textures::StorageFormat::Float)
@@ -115,7 +107,9 @@ void setUnsigned(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
         }
         return most;
     };
-    map.slack = greatestOver(map.distance, work);
+    map.slack = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, map.distance.texels.size(), kTexelsAtOnce), 0.0, work,
+        [](double a, double b) { return std::max(a, b); });
 }
 
 // How much of a texel is inside a straight outline at `distance` (texels, > 0 outside) from its
