@@ -4,10 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <utility>
+
+#include "textures/shape_map.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -125,6 +128,12 @@ class Side {
     double length_ = 0.0;
 };
 
+// What a corner makes of a sample.
+struct Creased {
+    double distance;
+    double code;  // of textures::ShapeCreases, in texels
+};
+
 struct Corner {
     glm::dvec2 place{0.0};
     bool isConvex = true;
@@ -133,17 +142,23 @@ struct Corner {
     Side behind;
     bool isSwapped = false;  // A is the side behind
 
-    // f and e. One side, A, is where e < 0 (or e > K) and the other where it is not.
-    struct Values {
-        double f;
-        double e;
-    };
-    [[nodiscard]] Values at(const glm::dvec2& where) const {
-        const double a = (isSwapped ? behind : before).distance(where);
-        const double b = (isSwapped ? before : behind).distance(where);
-        if (isConvex)
-            return {std::max(a, b), std::clamp(b - a, -kCreaseLimit, kCreaseLimit)};
-        return {std::min(a, b), std::clamp(kCreaseLimit + b - a, 0.0, 2.0 * kCreaseLimit)};
+    [[nodiscard]] double toA(const glm::dvec2& where) const {
+        return (isSwapped ? behind : before).distance(where);
+    }
+    [[nodiscard]] double toB(const glm::dvec2& where) const {
+        return (isSwapped ? before : behind).distance(where);
+    }
+    [[nodiscard]] double distance(const glm::dvec2& where) const {
+        return isConvex ? std::max(toA(where), toB(where)) : std::min(toA(where), toB(where));
+    }
+    // Whether the distance of a place is that to A.
+    [[nodiscard]] bool isOnA(const glm::dvec2& where) const {
+        return (toA(where) > toB(where)) == isConvex;
+    }
+    [[nodiscard]] double code(const glm::dvec2& where) const {
+        const double size =
+            std::abs(toA(where) - toB(where)) + (isConvex ? 0.0 : textures::kReflexTexels);
+        return isOnA(where) ? -size : size;
     }
 };
 
@@ -206,13 +221,12 @@ std::vector<Corner> cornersOf(const Paths& paths, std::size_t count) {
     return corners;
 }
 
-// A sample that a corner changes.
+// A sample that a corner changes: creased, or only in its distance.
 struct Sample {
-    int i;
-    int j;
+    glm::ivec2 texel;
     double share;  // how far away from the corner, of its reach
-    Corner::Values values;
-    bool isCreased;  // e is needed, not only f
+    Creased value;
+    bool isCreased;
 };
 
 // Signed distances of a map and of what continues it.
@@ -230,7 +244,7 @@ struct Distances {
 // the diagonal.
 bool mayHaveOutline(const Corner& corner, const Distances& distances, int i, int j) {
     constexpr double kHalfDiagonal = 0.70711;
-    if (std::abs(corner.at(glm::dvec2(i + 1, j + 1)).f) > kHalfDiagonal)
+    if (std::abs(corner.distance(glm::dvec2(i + 1, j + 1))) > kHalfDiagonal)
         return false;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
@@ -241,12 +255,11 @@ bool mayHaveOutline(const Corner& corner, const Distances& distances, int i, int
 
 // Whether the cell has samples on both sides of the crease.
 bool isCreased(const Corner& corner, int i, int j) {
-    const double level = corner.isConvex ? 0.0 : kCreaseLimit;
-    int above = 0;
+    int onA = 0;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
-            above += corner.at(glm::dvec2(x + 0.5, y + 0.5)).e > level ? 1 : 0;
-    return above % 4 != 0;
+            onA += corner.isOnA(glm::dvec2(x + 0.5, y + 0.5)) ? 1 : 0;
+    return onA % 4 != 0;
 }
 
 // What the cells around a sample want of it.
@@ -291,10 +304,9 @@ std::vector<Sample> samplesOf(const Corner& corner, const Distances& distances, 
             const Need need = needOf(corner, distances, i, j);
             if (!need.ofValue)
                 continue;
-            Corner::Values values = corner.at(place);
-            values.e = need.ofCrease ? values.e : 0.0;
-            isAlone = isAlone && agrees(corner, values.f, distances.at(i, j));
-            samples.push_back({i, j, share, values, need.ofCrease});
+            const Creased value{corner.distance(place), need.ofCrease ? corner.code(place) : 0.0};
+            isAlone = isAlone && agrees(corner, value.distance, distances.at(i, j));
+            samples.push_back({{i, j}, share, value, need.ofCrease});
         }
     return samples;
 }
@@ -303,23 +315,43 @@ bool isInTile(const glm::dvec2& place, const Plane& plane) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x < plane.width && place.y < plane.height;
 }
 
-// Whether two samples of different corners, `steps` apart, would crease a cell between them that
-// should have none: f is bilinear where e is in [0, K], or on one side of it, and a free sample
-// between has to be 0 beside the ones and K beside the others.
-bool clash(double a, double b, int steps) {
-    const auto [low, high] = std::minmax(a, b);
-    if (steps > 1)
-        return low < 0.0 && high > kCreaseLimit;
-    return (low < 0.0 && high > 0.0) || (low < kCreaseLimit && high > kCreaseLimit);
+// Whether codes of different corners in one cell would crease it.
+bool clash(double a, double b) {
+    const bool isSameKind =
+        (std::abs(a) < textures::kReflexTexels) == (std::abs(b) < textures::kReflexTexels);
+    return isSameKind && a * b < 0.0;
 }
+
+// The texels of a tile.
+struct Tile {
+    int width;
+    int height;
+    WrapMode wrap;
+
+    // Between two of them, or to the nearest copy: under mirror and clamp that is a texel itself.
+    [[nodiscard]] double way(const glm::ivec2& a, const glm::ivec2& b) const {
+        glm::ivec2 way = glm::abs(a - b);
+        if (wrap == WrapMode::Repeat)
+            way = glm::min(way, glm::ivec2(width, height) - way);
+        return std::hypot(way.x, way.y);
+    }
+    // Visits what is up to one texel away in both directions: visit(texel).
+    template <class Visit>
+    void visitAround(const glm::ivec2& place, const Visit& visit) const {
+        for (int j = place.y - 1; j <= place.y + 1; ++j)
+            for (int i = place.x - 1; i <= place.x + 1; ++i)
+                visit(glm::ivec2(textures::wrapIndex(i, width, wrap),
+                                 textures::wrapIndex(j, height, wrap)));
+    }
+};
 
 // Writes the samples of one corner after the other, unless they clash with those before.
 class CreaseMap {
   public:
     CreaseMap(const Plane& distance, WrapMode wrap)
-        : wrap_(wrap),
+        : tile_{distance.width, distance.height, wrap},
           share_(distance.width, distance.height, 1.0f),
-          creased{distance, Plane(distance.width, distance.height)} {}
+          result{distance, Plane(distance.width, distance.height), {}} {}
 
     [[nodiscard]] bool accepts(const std::vector<Sample>& samples) const {
         return std::none_of(samples.begin(), samples.end(),
@@ -328,67 +360,108 @@ class CreaseMap {
 
     void write(const std::vector<Sample>& samples) {
         for (const Sample& sample : samples) {
-            float& share = share_.at(sample.i, sample.j);
+            float& share = share_.at(sample.texel.x, sample.texel.y);
             // Where a crease is needed it stays; of two corners that need none the nearer counts.
-            const auto needed = static_cast<float>(sample.isCreased ? -1.0 : sample.share);
+            const auto needed = sample.isCreased ? kCreased : static_cast<float>(sample.share);
             if (needed >= share)
                 continue;
             share = needed;
-            changed_.emplace_back(sample.i, sample.j);
-            creased.crease.at(sample.i, sample.j) = static_cast<float>(sample.values.e);
-            creased.distance.at(sample.i, sample.j) = static_cast<float>(
-                sample.values.f - std::clamp(sample.values.e, 0.0, kCreaseLimit));
+            changed.push_back(sample.texel);
+            result.code.at(sample.texel.x, sample.texel.y) = static_cast<float>(sample.value.code);
+            result.distance.at(sample.texel.x, sample.texel.y) =
+                static_cast<float>(sample.value.distance);
         }
     }
 
-    void raiseAround();
-
   private:
-    template <class Visit>
-    void visitAround(const glm::ivec2& place, int steps, const Visit& visit) const {
-        for (int j = place.y - steps; j <= place.y + steps; ++j)
-            for (int i = place.x - steps; i <= place.x + steps; ++i)
-                visit(glm::ivec2(textures::wrapIndex(i, share_.width, wrap_),
-                                 textures::wrapIndex(j, share_.height, wrap_)),
-                      std::max(std::abs(i - place.x), std::abs(j - place.y)));
-    }
+    static constexpr float kCreased = -1.0f;
+
     [[nodiscard]] bool clashes(const Sample& sample) const {
         if (!sample.isCreased)
             return false;
-        bool result = false;
-        visitAround({sample.i, sample.j}, 2, [&](const glm::ivec2& other, int steps) {
-            if (share_.at(other.x, other.y) >= 0.0f)
+        bool result_ = false;
+        tile_.visitAround(sample.texel, [&](const glm::ivec2& other) {
+            if (share_.at(other.x, other.y) != kCreased)
                 return;
-            const double e = creased.crease.at(other.x, other.y);
-            result = result || (steps == 0 ? std::abs(e - sample.values.e) > 1e-3
-                                           : clash(e, sample.values.e, steps));
+            const double code = result.code.at(other.x, other.y);
+            result_ = result_ || (other == sample.texel ? std::abs(code - sample.value.code) > 1e-3
+                                                        : clash(code, sample.value.code));
         });
-        return result;
+        return result_;
     }
 
-    WrapMode wrap_;
-    Plane share_;  // of the corner that has a sample; −1 where it has a crease
-    std::vector<glm::ivec2> changed_;
+    Tile tile_;
+    Plane share_;  // of the corner that has a sample; kCreased where there is a crease
 
   public:
-    CreasedDistances creased;
+    CreasedDistances result;
+    std::vector<glm::ivec2> changed;
 };
 
-// Around creases where e crosses K other samples must have e = K, which leaves f as it is.
-void CreaseMap::raiseAround() {
-    const auto limit = static_cast<float>(kCreaseLimit);
-    const Plane crease = creased.crease;
-    for (const glm::ivec2& high : changed_) {
-        if (crease.at(high.x, high.y) <= limit)
-            continue;
-        visitAround(high, 1, [&](const glm::ivec2& place, int) {
-            float& e = creased.crease.at(place.x, place.y);
-            if (e != 0.0f || share_.at(place.x, place.y) < 0.0f)
-                return;
-            e = limit;
-            creased.distance.at(place.x, place.y) -= limit;
-        });
+// The highest field that is nowhere above some samples and differs between two texels by no more
+// than the way between them, where all other samples do so already.
+class StepField {
+  public:
+    StepField(const Plane& samples, WrapMode wrap)
+        : tile_{samples.width, samples.height, wrap}, visits_(samples.texels.size()), s(samples) {}
+
+    void lower(const glm::ivec2& texel, double most) {
+        float& there = s.at(texel.x, texel.y);
+        there = std::min(there, static_cast<float>(most));
     }
+
+    // What s of one texel asks of those around.
+    void spreadFrom(const glm::ivec2& source) {
+        // A path over texels keeps within half a diagonal of the straight line, along which samples
+        // that must be lowered lie: on the path they may miss that by twice as much.
+        constexpr double kAstray = 1.42;
+        const double here = s.at(source.x, source.y);
+        ++visit_;
+        open_.assign(1, source);
+        while (!open_.empty()) {
+            const glm::ivec2 place = open_.back();
+            open_.pop_back();
+            tile_.visitAround(place, [&](const glm::ivec2& texel) {
+                std::uint32_t& visit = visits_[s.index(texel.x, texel.y)];
+                const double most = here + tile_.way(source, texel);
+                if (visit == visit_ || !(most < s.at(texel.x, texel.y) + kAstray))
+                    return;
+                visit = visit_;
+                open_.push_back(texel);
+                lower(texel, most);
+            });
+        }
+    }
+
+  private:
+    Tile tile_;
+    std::vector<std::uint32_t> visits_;  // which source came to a texel last
+    std::uint32_t visit_ = 0;
+    std::vector<glm::ivec2> open_;
+
+  public:
+    Plane s;
+};
+
+// What a sample allows: a convex crease comes down to the mean of A and B.
+double mostStep(const CreasedDistances& creased, const glm::ivec2& texel) {
+    const double c = std::abs(creased.code.at(texel.x, texel.y));
+    return creased.distance.at(texel.x, texel.y) - (c < textures::kReflexTexels ? 0.5 * c : 0.0);
+}
+
+Plane stepsOf(const CreaseMap& map, const Plane& distance, WrapMode wrap) {
+    StepField field(distance, wrap);
+    std::vector<glm::ivec2> sources;
+    for (const glm::ivec2& texel : map.changed) {
+        const double most = mostStep(map.result, texel);
+        if (!(most < distance.at(texel.x, texel.y)))
+            continue;
+        field.lower(texel, most);
+        sources.push_back(texel);
+    }
+    for (const glm::ivec2& source : sources)
+        field.spreadFrom(source);
+    return std::move(field.s);
 }
 
 }  // namespace
@@ -404,10 +477,10 @@ CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, con
         if (isSharp)
             map.write(samples);
         if (isInTile(corner.place, distance))
-            ++(isSharp ? map.creased.sharpCorners : map.creased.roundCorners);
+            ++(isSharp ? map.result.sharpCorners : map.result.roundCorners);
     }
-    map.raiseAround();
-    return std::move(map.creased);
+    map.result.step = stepsOf(map, distance, wrap);
+    return std::move(map.result);
 }
 
 }  // namespace relievo::preprocess

@@ -48,7 +48,43 @@ double slackOf(const MapSet& maps) {
     return slack;
 }
 
+void requireFinite(const Plane& plane, const char* name) {
+    if (!std::ranges::all_of(plane.texels, [](float value) { return std::isfinite(value); }))
+        throw InputError(fmt::format("the channel '{}' has values that are not finite", name));
+}
+
+// How far below the distance of texel t steps must keep for the cells around it: where two codes
+// have different signs a convex cell is at least the mean of A and B, a reflex one at least the
+// interpolation of its distances.
+float mostStep(const ShapeMap& shape, const Plane& code, std::size_t t) {
+    const float c = std::abs(code.texels[t]);
+    return shape.distance.texels[t] - (c < shape.reflexCode() ? 0.5f * c : 0.0f);
+}
+
+ShapeCreases creasesOf(const MapSet& maps, const ShapeMap& shape) {
+    ShapeCreases creases{channelOf(maps, "crease"), channelOf(maps, "step")};
+    requireFinite(creases.code, "crease");
+    requireFinite(creases.step, "step");
+    for (std::size_t t = 0; t < creases.step.texels.size(); ++t)
+        if (!(creases.step.texels[t] <= mostStep(shape, creases.code, t)))
+            throw InputError(
+                "the channel 'step' is above what the channels 'distance' and 'crease' allow");
+    return creases;
+}
+
 }  // namespace
+
+double creaseDepth(const ShapeMap& shape) noexcept {
+    double deepest = 0.0;
+    for (std::size_t t = 0; t < shape.creases.code.texels.size(); ++t) {
+        const double c = std::abs(static_cast<double>(shape.creases.code.texels[t]));
+        const double reflex = std::max(0.0, c - static_cast<double>(shape.reflexCode()));
+        const double below = static_cast<double>(shape.distance.texels[t]) -
+                             static_cast<double>(shape.creases.step.texels[t]);
+        deepest = std::max(deepest, below + 0.5 * reflex);
+    }
+    return deepest;
+}
 
 ShapeMap shapeMapOf(const MapSet& maps) {
     if (maps.kind != "shape")
@@ -60,8 +96,9 @@ ShapeMap shapeMapOf(const MapSet& maps) {
                    maps.wrap,
                    signOf(maps),
                    slackOf(maps)};
-    if (!std::ranges::all_of(shape.distance.texels, [](float d) { return std::isfinite(d); }))
-        throw InputError("the channel 'distance' has values that are not finite");
+    requireFinite(shape.distance, "distance");
+    if (maps.find("crease") != nullptr)
+        shape.creases = creasesOf(maps, shape);
     return shape;
 }
 
@@ -75,6 +112,10 @@ MapSet mapSetOf(const ShapeMap& shape) {
                      {"gy", shape.gradientY},
                      {"distance", shape.distance},
                      {"shape", shape.shape}};
+    if (shape.isCreased()) {
+        maps.channels.push_back({"crease", shape.creases.code});
+        maps.channels.push_back({"step", shape.creases.step});
+    }
     return maps;
 }
 

@@ -72,7 +72,7 @@ textures::Plane signedDistances(const PlaneShape& shape) {
 }
 
 SampledDistance sampled(const CreasedDistances& creased) {
-    return {creased.distance, creased.crease, kCreaseLimit};
+    return {creased.distance, creased.code};
 }
 
 struct Case {
@@ -92,7 +92,7 @@ struct Case {
     [[nodiscard]] OutlineErrors errors(const SampledDistance& field) const {
         return measureErrors(field, contours, outline, glm::ivec2(1), glm::ivec2(kSize - 1), 8);
     }
-    [[nodiscard]] SampledDistance plain() const { return {distance, {}, 0.0}; }
+    [[nodiscard]] SampledDistance plain() const { return {distance, {}}; }
     [[nodiscard]] CreasedDistances creased() const {
         return creaseCorners(plane.boundary, distance, textures::WrapMode::Clamp);
     }
@@ -218,7 +218,7 @@ TEST(ShapeTruth, CreasedCornersAreSharpAtAnyPlaceAndTurn) {
                                                            glm::ivec2(14), glm::ivec2(27), 64);
                 return std::max(errors.away(), errors.atCorners());
             };
-            plain = std::max(plain, largest({exact, {}, 0.0}));
+            plain = std::max(plain, largest({exact, {}}));
             creased = std::max(creased, largest(sampled(creaseCorners(wedge.boundary(), exact,
                                                                       textures::WrapMode::Clamp))));
         }
@@ -239,7 +239,7 @@ SampledDistance bakedOf(const textures::Plane& coverage) {
     textures::Plane distance = bakeShape(source, plan).distance;
     for (float& texel : distance.texels)
         texel *= static_cast<float>(kSize);
-    return {distance, {}, 0.0};
+    return {distance, {}};
 }
 
 // Anti-aliased bitmaps keep to a quarter of a texel away from corners, and there to what distances
