@@ -315,11 +315,12 @@ bool isInTile(const glm::dvec2& place, const Plane& plane) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x < plane.width && place.y < plane.height;
 }
 
-// Whether codes of different corners in one cell would crease it.
+// Whether codes of different corners in one cell would crease it, or not let it be continued by its
+// neighbours: those of the two kinds share none.
 bool clash(double a, double b) {
     const bool isSameKind =
         (std::abs(a) < textures::kReflexTexels) == (std::abs(b) < textures::kReflexTexels);
-    return isSameKind && a * b < 0.0;
+    return !isSameKind || a * b < 0.0;
 }
 
 // The texels of a tile.

@@ -23,6 +23,13 @@ const BilinearCell& ShapeCell::at(const glm::dvec2& p) const noexcept {
     return (a.depth(p) > b.depth(p)) == (join == Join::Larger) ? a : b;
 }
 
+BilinearCell ShapeCell::difference() const noexcept {
+    const double corner = a.corner - b.corner;
+    const glm::dvec2 slope = a.slope - b.slope;
+    return {corner, corner + slope.x, corner + slope.y,
+            corner + slope.x + slope.y + (a.twist - b.twist)};
+}
+
 ShapeCell shapeCell(const std::array<double, 4>& distances, const std::array<double, 4>& codes,
                     double reflexCode) noexcept {
     bool isReflex = false;
@@ -52,6 +59,11 @@ ShapeCell shapeCell(const textures::ShapeMap& map, int left, int right, int top,
         return {cellOf(distances), cellOf(distances), ShapeCell::Join::Same};
     return shapeCell(distances, samplesOf(map.creases.code, left, right, top, bottom),
                      static_cast<double>(map.reflexCode()));
+}
+
+BilinearCell stepCell(const textures::ShapeMap& map, int left, int right, int top,
+                      int bottom) noexcept {
+    return cellOf(samplesOf(map.steps(), left, right, top, bottom));
 }
 
 }  // namespace relievo::reference

@@ -21,6 +21,8 @@ struct ShapeCell {
     /// The field that is the distance at p, in local texel coordinates as those of BilinearCell.
     [[nodiscard]] const BilinearCell& at(const glm::dvec2& p) const noexcept;
     [[nodiscard]] double distance(const glm::dvec2& p) const noexcept { return at(p).depth(p); }
+    /// a − b: 0 on the crease.
+    [[nodiscard]] BilinearCell difference() const noexcept;
 };
 
 /// From the distances of the centres and their codes, in the order of BilinearCell; a code of
@@ -31,5 +33,9 @@ ShapeCell shapeCell(const std::array<double, 4>& distances, const std::array<dou
 /// Between the columns `left` and `right` and the rows `top` and `bottom` of a map.
 ShapeCell shapeCell(const textures::ShapeMap& map, int left, int right, int top,
                     int bottom) noexcept;
+
+/// What steps go by there.
+BilinearCell stepCell(const textures::ShapeMap& map, int left, int right, int top,
+                      int bottom) noexcept;
 
 }  // namespace relievo::reference

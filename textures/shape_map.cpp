@@ -53,26 +53,26 @@ void requireFinite(const Plane& plane, const char* name) {
         throw InputError(fmt::format("the channel '{}' has values that are not finite", name));
 }
 
-// How far below the distance of texel t steps must keep for the cells around it: where two codes
-// have different signs a convex cell is at least the mean of A and B, a reflex one at least the
-// interpolation of its distances.
-float mostStep(const ShapeMap& shape, const Plane& code, std::size_t t) {
-    const float c = std::abs(code.texels[t]);
-    return shape.distance.texels[t] - (c < shape.reflexCode() ? 0.5f * c : 0.0f);
-}
-
-ShapeCreases creasesOf(const MapSet& maps, const ShapeMap& shape) {
+ShapeCreases creasesOf(const MapSet& maps) {
     ShapeCreases creases{channelOf(maps, "crease"), channelOf(maps, "step")};
     requireFinite(creases.code, "crease");
     requireFinite(creases.step, "step");
-    for (std::size_t t = 0; t < creases.step.texels.size(); ++t)
-        if (!(creases.step.texels[t] <= mostStep(shape, creases.code, t)))
-            throw InputError(
-                "the channel 'step' is above what the channels 'distance' and 'crease' allow");
     return creases;
 }
 
+void requireSafeSteps(const ShapeMap& shape) {
+    for (std::size_t t = 0; t < shape.creases.step.texels.size(); ++t)
+        if (!(shape.creases.step.texels[t] <= mostStep(shape, t)))
+            throw InputError(
+                "the channel 'step' is above what the channels 'distance' and 'crease' allow");
+}
+
 }  // namespace
+
+float mostStep(const ShapeMap& shape, std::size_t texel) noexcept {
+    const float c = std::abs(shape.creases.code.texels[texel]);
+    return shape.distance.texels[texel] - (c < shape.reflexCode() ? 0.5f * c : 0.0f);
+}
 
 double creaseDepth(const ShapeMap& shape) noexcept {
     double deepest = 0.0;
@@ -98,7 +98,8 @@ ShapeMap shapeMapOf(const MapSet& maps) {
                    slackOf(maps)};
     requireFinite(shape.distance, "distance");
     if (maps.find("crease") != nullptr)
-        shape.creases = creasesOf(maps, shape);
+        shape.creases = creasesOf(maps);
+    requireSafeSteps(shape);
     return shape;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 
 #include "textures/plane.h"
 #include "textures/wrap_mode.h"
@@ -22,7 +22,7 @@ inline constexpr double kReflexTexels = 16.0;
 ///   c = 0: A and B are the same.
 ///
 /// A cell with a code of magnitude R or more is a reflex one, and codes below that count as 0 in
-/// it. Where no two codes have different signs the distance is the bilinear interpolation as ever.
+/// it; so that the distance is continuous, none should have both. Where no two codes have different signs the distance is the bilinear interpolation as ever.
 struct ShapeCreases {
     Plane code;
     /// A field below the distance that steps go by: it differs between two texel centres by no more
@@ -56,10 +56,6 @@ struct ShapeMap {
     [[nodiscard]] double aspect() const noexcept {
         return static_cast<double>(distance.height) / static_cast<double>(distance.width);
     }
-    /// The distance of texel (i,j) for any integers i and j, under the wrap mode.
-    [[nodiscard]] float at(std::int64_t i, std::int64_t j) const noexcept {
-        return distance.at(wrapIndex(i, distance.width, wrap), wrapIndex(j, distance.height, wrap));
-    }
     [[nodiscard]] bool isCreased() const noexcept { return !creases.code.texels.empty(); }
     /// R, in tile widths.
     [[nodiscard]] float reflexCode() const noexcept {
@@ -70,6 +66,11 @@ struct ShapeMap {
         return isCreased() ? creases.step : distance;
     }
 };
+
+/// The most that the step of a texel of a creased map can be for the cells around it: where two
+/// codes have different signs a convex cell is at least the mean of A and B, a reflex one at least
+/// the interpolation of its distances.
+float mostStep(const ShapeMap& shape, std::size_t texel) noexcept;
 
 /// By how much the distance is above the interpolation of steps() anywhere, at most, in tile
 /// widths; 0 without creases.
