@@ -38,6 +38,28 @@ SolidCell solidCell(sampler2D map, vec2 corner, vec4 steps) {
 // Which of two numbers is the distance.
 bool solidIsFirst(SolidCell cell, float first, float second) { return (first > second) == cell.isLarger; }
 
+#ifdef RELIEVO_SOLID_CREASED
+// In a cell with a crease the direction in which the distance grows, (u, v) being in tiles: that of the side that
+// the place is on. False, without a direction: there is no crease.
+bool solidCornerGradient(sampler2D map, vec2 uv, out vec2 gradient) {
+    vec2 size = vec2(textureSize(map, 0));
+    vec2 place = uv * size - 0.5;
+    vec2 corner = (floor(place) + 1.0) / size;
+    place = fract(place);
+    gradient = vec2(0.0);
+    ++reliefFetchCount;
+    vec4 codes = reliefGatherChannel(map, corner, 2);
+    if (!any(lessThan(codes, vec4(0.0))) || !any(greaterThan(codes, vec4(0.0)))) return false;
+    ++reliefFetchCount;
+    SolidCell cell = solidCell(map, corner, reliefGather(map, corner));
+    vec4 weights = vec4(1.0 - place.x, place.x, place.x, 1.0 - place.x) * vec4(place.yy, 1.0 - place.yy);
+    vec4 field = solidIsFirst(cell, dot(weights, cell.first), dot(weights, cell.second)) ? cell.first : cell.second;
+    vec2 along = mix(vec2(field.z, field.x) - field.w, field.yy - vec2(field.x, field.z), place.yx);
+    gradient = along / max(length(along), 1e-6);
+    return true;
+}
+#endif
+
 // By how much distances may be above what steps go by.
 float solidCreaseDepth(int part) {
 #ifdef RELIEVO_SOLID_CREASED
