@@ -24,9 +24,6 @@ struct CreasedDistances {
     int roundCorners = 0;  ///< left as they were: something else is within a texel or two
 };
 
-/// Where a boundary turns by more than this (5°) it has a corner; less is a polyline's curve.
-inline constexpr double kCornerCosine = 0.99619469809174555;
-
 /// Creases `distance`, the signed distances (< 0 inside) of texel centres to `boundary`, the
 /// segments of a PlaneShape. Only samples of cells around corners change that the outline passes.
 /// Outside of a convex corner of angle α they become smaller, by at most √2·(1 − sin(α/2)), and

@@ -102,16 +102,19 @@ double makeSure(Plane& distance) {
 // The same for creases in texels, under distances that are sure already: steps are lowered.
 double makeCreasesSure(ShapeMap& map) {
     const int width = map.width();
-    double most = 0.0;
-    for (std::size_t t = 0; t < map.creases.step.texels.size(); ++t) {
-        map.creases.code.texels[t] /= static_cast<float>(width);
-        float& step = map.creases.step.texels[t];
-        const double measured = step;
-        const double off = kRelativeError * (std::abs(measured) + kLongestPiece) + kAbsoluteError;
-        step = std::min(static_cast<float>((measured - 3.0 * off) / width), mostStep(map, t));
-        most = std::max(most, (measured + off) / width - static_cast<double>(step));
-    }
-    return most;
+    const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
+        for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
+            map.creases.code.texels[t] /= static_cast<float>(width);
+            float& step = map.creases.step.texels[t];
+            const double measured = step;
+            const double off =
+                kRelativeError * (std::abs(measured) + kLongestPiece) + kAbsoluteError;
+            step = std::min(static_cast<float>((measured - 3.0 * off) / width), mostStep(map, t));
+            most = std::max(most, (measured + off) / width - static_cast<double>(step));
+        }
+        return most;
+    };
+    return greatestOver(map.creases.step, work);
 }
 
 // Rounds a channel to the format. Returns the most that it changes.

@@ -228,6 +228,41 @@ TEST(ShapeTruth, CreasedCornersAreSharpAtAnyPlaceAndTurn) {
     }
 }
 
+// Outside of reflex corners the distance has a ridge, on which walls meet that lean outwards: it is
+// creased as far as nothing else is nearer. Plain distances make steps of it.
+TEST(ShapeTruth, RidgesOutsideOfReflexCornersAreSharp) {
+    constexpr int kMap = 60;
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (const double degrees : {240.0, 270.0, 324.0}) {
+        double plain = 0.0;
+        double creased = 0.0;
+        for (int k = 0; k < 20; ++k) {
+            const glm::dvec2 place(kMap / 2 + unit(random), kMap / 2 + unit(random));
+            const Wedge wedge(degrees, place, 2.0 * std::numbers::pi * unit(random));
+            textures::Plane exact(kMap, kMap);
+            for (int j = 0; j < kMap; ++j)
+                for (int i = 0; i < kMap; ++i)
+                    exact.at(i, j) = static_cast<float>(wedge.outline.distance({i + 0.5, j + 0.5}));
+            const SampledDistance field =
+                sampled(creaseCorners(wedge.boundary(), exact, textures::WrapMode::Clamp));
+            for (int point = 0; point < 2000; ++point) {
+                const glm::dvec2 there =
+                    place +
+                    20.0 * unit(random) * Wedge::along(2.0 * std::numbers::pi * unit(random));
+                const double distance = wedge.outline.distance(there);
+                if (distance < 0.0)
+                    continue;
+                plain = std::max(plain, std::abs(SampledDistance{exact, {}}.at(there) - distance));
+                creased = std::max(creased, std::abs(field.at(there) - distance));
+            }
+        }
+        fmt::print("{}°: plain {:.3f}, creased {:.3f}\n", degrees, plain, creased);
+        EXPECT_GT(plain, 0.2);
+        EXPECT_LT(creased, 0.05);
+    }
+}
+
 // What relievo-bake shape makes of a bitmap of 8 bits, in texels.
 SampledDistance bakedOf(const textures::Plane& coverage) {
     ShapeSource source;
