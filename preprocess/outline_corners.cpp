@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "textures/shape_map.h"
@@ -22,18 +23,16 @@ glm::dvec2 alongOf(const BoundarySegment& segment) {
     return segment.end - segment.start;
 }
 
-bool isTurn(const BoundarySegment& before, const BoundarySegment& behind) {
-    const glm::dvec2 a = alongOf(before);
-    const glm::dvec2 b = alongOf(behind);
-    return glm::dot(a, b) < kCornerCosine * glm::length(a) * glm::length(b);
-}
-
 // Which segment goes on where one ends: mostly the next, but paths are closed, and parts of them
 // may have been left out.
 class Paths {
   public:
-    explicit Paths(const std::vector<BoundarySegment>& segments)
-        : segments_(segments), next_(segments.size(), kNone), before_(segments.size(), kNone) {
+    // A corner is where one turns by at least `leastTurn`.
+    Paths(const std::vector<BoundarySegment>& segments, double leastTurn)
+        : segments_(segments),
+          cosine_(std::cos(leastTurn)),
+          next_(segments.size(), kNone),
+          before_(segments.size(), kNone) {
         for (std::size_t k = 0; k + 1 < segments.size(); ++k)
             if (segments[k].end == segments[k + 1].start)
                 join(k, k + 1);
@@ -55,7 +54,25 @@ class Paths {
     [[nodiscard]] const BoundarySegment& segment(std::size_t k) const { return segments_[k]; }
     // Whether there is a corner where segment k starts.
     [[nodiscard]] bool isCorner(std::size_t k) const {
-        return before_[k] != kNone && isTurn(segments_[before_[k]], segments_[k]);
+        if (before_[k] == kNone)
+            return false;
+        const glm::dvec2 in = alongOf(segments_[before_[k]]);
+        const glm::dvec2 out = alongOf(segments_[k]);
+        return glm::dot(in, out) < cosine_ * glm::length(in) * glm::length(out);
+    }
+    // Whether the next corner behind segment k, or before it, is nearer than that, counted from the
+    // corner at its start, or at its end.
+    [[nodiscard]] bool hasCornerWithin(std::size_t k, bool isBehind, double way) const {
+        for (double length = 0.0; k != kNone;) {
+            length += glm::length(alongOf(segments_[k]));
+            if (length >= way)
+                return false;
+            const std::size_t next = isBehind ? next_[k] : before_[k];
+            if (next != kNone && isCorner(isBehind ? next : k))
+                return true;
+            k = next;
+        }
+        return false;
     }
 
   private:
@@ -64,6 +81,7 @@ class Paths {
         before_[b] = a;
     }
     const std::vector<BoundarySegment>& segments_;
+    double cosine_;
     std::vector<std::size_t> next_;
     std::vector<std::size_t> before_;
 };
@@ -90,6 +108,61 @@ OutlineCorner cornerAt(const Paths& paths, std::size_t k) {
             cross(in, out) > 0.0, sideFrom(paths, paths.before(k), false),
             sideFrom(paths, k, true)};
 }
+
+// Where corners are far apart it does not matter which of their sides is A, so that each group of
+// near ones is settled on its own, the same in all copies of a tile.
+class SideLabels {
+  public:
+    // `starts`: the segments that begin at the corners.
+    SideLabels(const Paths& paths, const std::vector<std::size_t>& starts,
+               std::vector<OutlineCorner>& corners)
+        : paths_(paths), starts_(starts), corners_(corners), isSettled_(corners.size()) {
+        for (std::size_t corner = 0; corner < corners.size(); ++corner)
+            number_[starts[corner]] = corner;
+    }
+
+    void settle() {
+        for (std::size_t corner = 0; corner < corners_.size(); ++corner)
+            if (corners_[corner].before.length() > kFarApart)
+                settleFrom(corner);
+        // Small closed paths: from their first corner from above.
+        std::vector<std::size_t> left;
+        for (std::size_t corner = 0; corner < corners_.size(); ++corner)
+            if (!isSettled_[corner])
+                left.push_back(corner);
+        std::ranges::sort(left, {}, [&](std::size_t corner) {
+            return std::pair(corners_[corner].place.y, corners_[corner].place.x);
+        });
+        for (const std::size_t corner : left)
+            settleFrom(corner);
+    }
+
+  private:
+    void settleFrom(std::size_t corner) {
+        while (!isSettled_[corner]) {
+            isSettled_[corner] = true;
+            if (corners_[corner].behind.length() > kFarApart)
+                return;
+            const std::size_t next = nextCorner(corner);
+            if (next == kNone || isSettled_[next])
+                return;
+            corners_[next].isBehindA = !corners_[corner].isBehindA;
+            corner = next;
+        }
+    }
+    [[nodiscard]] std::size_t nextCorner(std::size_t corner) const {
+        std::size_t k = paths_.next(starts_[corner]);
+        while (k != kNone && k != starts_[corner] && !number_.contains(k))
+            k = paths_.next(k);
+        return k == kNone ? kNone : number_.at(k);
+    }
+
+    const Paths& paths_;
+    const std::vector<std::size_t>& starts_;
+    std::vector<OutlineCorner>& corners_;
+    std::vector<bool> isSettled_;
+    std::unordered_map<std::size_t, std::size_t> number_;
+};
 
 }  // namespace
 
@@ -138,54 +211,23 @@ double OutlineCorner::code(const glm::dvec2& where) const noexcept {
     return isOnA(where) ? -size : size;
 }
 
-// Where corners are far apart it does not matter which of their sides is A, so that each group of
-// near ones is settled on its own, the same in all copies of a tile.
-std::vector<OutlineCorner> outlineCorners(const std::vector<BoundarySegment>& boundary) {
-    const Paths paths(boundary);
-    const std::size_t count = boundary.size();
-    std::vector<OutlineCorner> corners;
-    std::vector<std::size_t> number(count, kNone);  // of the corner where a segment starts
+OutlineCorners outlineCorners(const std::vector<BoundarySegment>& boundary, double leastTurn) {
+    const Paths paths(boundary, leastTurn);
+    OutlineCorners result;
     std::vector<std::size_t> starts;
-    for (std::size_t k = 0; k < count; ++k)
-        if (paths.isCorner(k)) {
-            number[k] = corners.size();
-            starts.push_back(k);
-            corners.push_back(cornerAt(paths, k));
+    for (std::size_t k = 0; k < boundary.size(); ++k) {
+        if (!paths.isCorner(k))
+            continue;
+        if (paths.hasCornerWithin(k, true, kCrowded) ||
+            paths.hasCornerWithin(paths.before(k), false, kCrowded)) {
+            result.crowded.push_back(boundary[k].start);
+            continue;
         }
-    const auto nextCorner = [&](std::size_t corner) {
-        std::size_t k = paths.next(starts[corner]);
-        while (k != kNone && number[k] == kNone && k != starts[corner])
-            k = paths.next(k);
-        return k == kNone ? kNone : number[k];
-    };
-    std::vector<bool> isSettled(corners.size());
-    const auto settleFrom = [&](std::size_t corner) {
-        while (!isSettled[corner]) {
-            isSettled[corner] = true;
-            if (corners[corner].behind.length() > kFarApart)
-                return;
-            const std::size_t next = nextCorner(corner);
-            if (next == kNone || isSettled[next])
-                return;
-            corners[next].isBehindA = !corners[corner].isBehindA;
-            corner = next;
-        }
-    };
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        if (corners[corner].before.length() > kFarApart)
-            settleFrom(corner);
-    // Small closed paths: from their first corner from above.
-    std::vector<std::size_t> left;
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        if (!isSettled[corner])
-            left.push_back(corner);
-    std::sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(corners[a].place.y, corners[a].place.x) <
-               std::pair(corners[b].place.y, corners[b].place.x);
-    });
-    for (const std::size_t corner : left)
-        settleFrom(corner);
-    return corners;
+        starts.push_back(k);
+        result.corners.push_back(cornerAt(paths, k));
+    }
+    SideLabels(paths, starts, result.corners).settle();
+    return result;
 }
 
 }  // namespace relievo::preprocess

@@ -49,18 +49,24 @@ struct OutlineCorner {
     [[nodiscard]] double code(const glm::dvec2& where) const noexcept;
 };
 
-/// Where a boundary turns by more than this (5°) it has a corner; less is a polyline's curve.
-inline constexpr double kCornerCosine = 0.99619469809174555;
-
 /// How much of the outline a side has before it goes straight on, in texels.
 inline constexpr double kSideLength = 96.0;
-
 /// Corners that are further apart along the outline than this, in texels, have no cell in common.
 inline constexpr double kFarApart = 12.0;
+/// Corners that have another one as near as this along the outline, in texels, share all their
+/// cells with it.
+inline constexpr double kCrowded = 2.5;
 
-/// The corners of the segments of a PlaneShape, in texels, in the order of the segments that begin
-/// there. Of two that are near each other the side between is the same one of A and B to both, or
-/// the crease of one would end in cells of the other.
-std::vector<OutlineCorner> outlineCorners(const std::vector<BoundarySegment>& boundary);
+/// The corners of an outline.
+struct OutlineCorners {
+    std::vector<OutlineCorner> corners;
+    std::vector<glm::dvec2> crowded;  ///< places of those that have another one within kCrowded
+};
+
+/// The corners of the segments of a PlaneShape, in texels: where it turns by at least `leastTurn`
+/// (radians), in the order of the segments that begin there. Of two that are near each other the
+/// side between is the same one of A and B to both, or the crease of one would end in cells of the
+/// other.
+OutlineCorners outlineCorners(const std::vector<BoundarySegment>& boundary, double leastTurn);
 
 }  // namespace relievo::preprocess

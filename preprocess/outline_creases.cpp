@@ -282,12 +282,14 @@ class CreaseTrail {
 }  // namespace
 
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, const Plane& distance,
-                               WrapMode wrap) {
+                               WrapMode wrap, double leastTurn) {
     const Distances distances{distance, wrap};
-    const std::vector<OutlineCorner> corners = outlineCorners(boundary);
+    const auto [corners, crowded] = outlineCorners(boundary, leastTurn);
     CreaseMap map(distances);
     CreasedDistances result{distance, Plane(distance.width, distance.height), distance};
     std::vector<std::size_t> reflex;  // sharp ones of the tile
+    for (const glm::dvec2& place : crowded)
+        result.roundCorners += isInTile(place, distance) ? 1 : 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         bool isAlone = true;
         const std::vector<Sample> samples = samplesOf(corners[k], distances, isAlone);

@@ -24,13 +24,22 @@ struct CreasedDistances {
     int roundCorners = 0;  ///< left as they were: something else is within a texel or two
 };
 
+/// Where the outline of a drawing turns by more it has a corner (5°): less is a curve's polyline.
+inline constexpr double kCornerOfDrawing = 0.0873;
+/// Of a bitmap (35°): less than the corners that sharpenCorners puts back, more than the polylines
+/// turn that coverageBoundary makes of curves.
+inline constexpr double kCornerOfBitmap = 0.61;
+
 /// Creases `distance`, the signed distances (< 0 inside) of texel centres to `boundary`, the
 /// segments of a PlaneShape. Only samples of cells around corners change that the outline passes.
 /// Outside of a convex corner of angle α they become smaller, by at most √2·(1 − sin(α/2)), and
 /// inside of a reflex one larger; none gets further from 0 by more than a twentieth of a texel.
 /// Corners stay round that have another part of the outline, or another corner of the other kind,
 /// within a few texels.
+///
+/// A corner is where the boundary turns by at least `leastTurn` (radians).
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary,
-                               const textures::Plane& distance, textures::WrapMode wrap);
+                               const textures::Plane& distance, textures::WrapMode wrap,
+                               double leastTurn = kCornerOfDrawing);
 
 }  // namespace relievo::preprocess

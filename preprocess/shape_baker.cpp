@@ -232,7 +232,9 @@ void orient(const Sampled& shape, ShapeMap& map) {
 
 // Sharpens the corners of distances in texels.
 void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
-    CreasedDistances found = creaseCorners(shape.boundary, map.distance, plan.wrap);
+    CreasedDistances found =
+        creaseCorners(shape.boundary, map.distance, plan.wrap,
+                      shape.coverage != nullptr ? kCornerOfBitmap : kCornerOfDrawing);
     if (found.sharpCorners == 0)
         return;
     for (std::size_t t = 0; t < found.step.texels.size(); ++t)

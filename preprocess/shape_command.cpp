@@ -27,11 +27,12 @@ using commands::UsageError;
 using textures::MapSet;
 using textures::ShapeMap;
 
-constexpr std::size_t kChannels = 4;
 constexpr double kProgramBytes = 150e6;
 // Coverage, centres, four channels, squared distances or a copy of the distances, and the outline:
 // that of a picture of noise takes more than all these together.
 constexpr double kTexelBytes = 48.0;
+// Creases: their two channels, as they are baked and as they are written.
+constexpr double kCreaseBytes = 16.0;
 constexpr double kNoiseBytes = 200.0;
 
 bool exists(const std::string& file) {
@@ -79,9 +80,11 @@ double outlineShare(const textures::Plane& coverage) {
     return static_cast<double>(changes) / static_cast<double>(coverage.texels.size());
 }
 
-void requireRoom(const ShapeArguments& arguments, int width, int height, double bytesPerTexel) {
-    textures::requireReadableSize(arguments.output, width, height, kChannels);
-    const double need = kProgramBytes + bytesPerTexel * width * height;
+void requireRoom(const ShapeArguments& arguments, const ShapePlan& plan, int width, int height,
+                 double outlineBytes) {
+    textures::requireReadableSize(arguments.output, width, height, plan.hasCreases() ? 6 : 4);
+    const double bytes = kTexelBytes + (plan.hasCreases() ? kCreaseBytes : 0.0) + outlineBytes;
+    const double need = kProgramBytes + bytes * width * height;
     const auto available = static_cast<double>(availableMemory());
     if (need > available)
         throw textures::InputError(fmt::format(
@@ -92,10 +95,10 @@ void requireRoom(const ShapeArguments& arguments, int width, int height, double 
 ShapeSource readSource(const ShapeArguments& arguments, const ShapePlan& plan) {
     const Stage stage("read");
     ShapeSource source = readShapeSource(arguments.source, plan, commands::note);
-    double bytes = kTexelBytes;
+    double outlineBytes = 0.0;
     std::string what = "bitmap";
     if (const auto* coverage = std::get_if<textures::Plane>(&source.content)) {
-        bytes += kNoiseBytes * outlineShare(*coverage);
+        outlineBytes = kNoiseBytes * outlineShare(*coverage);
     } else {
         const auto& drawing = std::get<outlines::Drawing>(source.content);
         std::size_t points = 0;
@@ -104,7 +107,7 @@ ShapeSource readSource(const ShapeArguments& arguments, const ShapePlan& plan) {
                 points += contour.size();
         what = fmt::format("{} shapes of {} points", drawing.shapes.size(), points);
     }
-    requireRoom(arguments, source.width, source.height, bytes);
+    requireRoom(arguments, plan, source.width, source.height, outlineBytes);
     stage.done(fmt::format("{}, {}, {}×{}, {}", arguments.source, what, source.width, source.height,
                            arguments.wrap));
     return source;
@@ -218,7 +221,7 @@ void runShapeCommand(const ShapeArguments& arguments) {
     const auto threads = limitThreads(arguments.threads);
     if (!isDrawing(arguments.source)) {
         const textures::ImageReader header(arguments.source);
-        requireRoom(arguments, header.info().width, header.info().height, kTexelBytes);
+        requireRoom(arguments, plan, header.info().width, header.info().height, 0.0);
     }
     const ShapeSource source = readSource(arguments, plan);
     if (!arguments.force && isUpToDate(arguments, plan, source)) {
