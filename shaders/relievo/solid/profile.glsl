@@ -10,11 +10,12 @@ float solidPieceOffset(int index, float z) {
 
 // The piece at depth z or, going that way, at the next one; never back.
 int solidPieceAt(int part, int piece, float z, float dz) {
-    int last = solidParts[part].ways.x - 1;
-    if (dz >= 0.0) {
-        while (piece < last && z >= solidPieces[solidPieceIndex(part, piece)].line.y) ++piece;
-    } else {
-        while (piece > 0 && z <= solidPieces[solidPieceIndex(part, piece)].line.x) --piece;
+    bool isDown = dz >= 0.0;
+    int last = isDown ? solidParts[part].ways.x - 1 : 0;
+    while (piece != last) {
+        vec4 line = solidPieces[solidPieceIndex(part, piece)].line;
+        if (!(isDown ? z >= line.y : z <= line.x)) break;
+        piece += isDown ? 1 : -1;
     }
     return piece;
 }
