@@ -222,6 +222,12 @@ constexpr Variant kWrongVariants[] = {
      "return true;"},
     {"leaps on to what is free behind a gap", solids::SolidKind::Extrusion, kIsland,
      "if (leap.island.x == kReliefBoundless) return clear;"},
+    {"corners whose discs are free to the rim", solids::SolidKind::Extrusion,
+     "vec4 radii = sqrt(max(kSolidShort * gaps * gaps - across * across - 0.5, 0.0));",
+     "vec4 radii = sqrt(max(gaps * gaps - across * across, 0.0));"},
+    {"corners past which no profile comes nearer", solids::SolidKind::Extrusion,
+     "float growth = max(solidPieces[index].chords[way], 0.0) * abs(dz) * span;",
+     "float growth = 0.0;"},
 };
 
 gl::Program variantProgram(const materials::SolidMaterial& material, const Variant& variant) {

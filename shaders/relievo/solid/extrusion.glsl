@@ -74,6 +74,15 @@ void solidReachWalk(inout ReliefWalk walk, float t) {
     if (t > walk.exit) reliefJumpWalk(walk, t);
 }
 
+// How far t can grow for certain from one in the walk's cell. `distance` is that there, `corners` those of the
+// cell, in the sense of the ray. With a speed and a dz of the other sign: how far it can fall.
+float solidFreeOfCell(int part, int piece, int way, float distance, vec4 corners, ReliefWalk walk, float t,
+                      float z, vec3 speed) {
+    vec2 place = walk.start + t * walk.speed - vec2(walk.advance);
+    return max(solidFreeOfProfile(part, piece, way, distance, z, speed.z, length(speed.xy)),
+               solidFreeOfCorners(part, piece, way, corners, place, speed.xy, z, speed.z));
+}
+
 // By how much of itself the gap to the surface shrinks per unit of t, where the distance has that slope.
 float solidShrinking(int index, float sense, float distance, float slope, float z, float dz) {
     return (sense * solidPieces[index].line.w * dz - slope) / (distance - sense * solidPieceOffset(index, z));
@@ -86,6 +95,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     if (cursor.t > 0.0) reliefJumpWalk(walk, cursor.t);
     float sense = cursor.isInside ? -1.0 : 1.0;
     float dz = path.direction.z;
+    vec3 velocity = vec3(walk.speed, dz);
     float speed = length(walk.speed);
     int way = solidWay(dz, cursor.isInside);
     bool isStart = true;
@@ -96,7 +106,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
-        vec3 distances = sense * reliefAlongCell(walk, reliefGather(map, reliefWalkGather(walk)));
+        vec4 corners = sense * reliefGather(map, reliefWalkGather(walk));
+        vec3 distances = reliefAlongCell(walk, corners);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
         float clear = walk.t;
@@ -108,8 +119,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
                 return;
             }
             float ahead = solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
-            float behind =
-                solidFreeOfProfile(part, cursor.piece, solidWayBack(way), distances.x, z, -dz, speed);
+            float behind = solidFreeOfCell(part, cursor.piece, solidWayBack(way), distances.x, corners, walk,
+                                           walk.t, z, -velocity);
             if (!solidHasLanded(leap, walk.t, behind, ahead)) {
                 walk = back;
                 solidReachWalk(walk, leap.clear);
@@ -127,7 +138,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
         float distance = distances.x + (distances.y + distances.z * span) * span;
-        float free = solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed);
+        float free =
+            solidFreeOfCell(part, cursor.piece, way, distance, corners, walk, exit, z, velocity);
         clear = solidClearOfIsland(leap, max(clear, exit + free));
         if (clear >= path.leave) {
             cursor.t = cursor.isInside ? path.leave : kReliefBoundless;

@@ -38,6 +38,39 @@ float solidFreeOfProfile(int part, int piece, int way, float distance, float z, 
     return kSolidShort * max(everywhere, here);
 }
 
+// The most that the offset comes to in the sense of the ray while t grows by `span`, from depth z in `piece`.
+float solidMostOffset(int part, int piece, int way, float z, float dz, float span) {
+    int index = solidPieceIndex(part, piece);
+    float most = solidPieces[index].extremes[way];
+    if ((solidPieces[index].limits[way] - z) * sign(dz) < abs(dz) * span) return most;
+    float growth = max(solidPieces[index].chords[way], 0.0) * abs(dz) * span;
+    return min(most, (way < 2 ? 1.0 : -1.0) * solidPieceOffset(index, z) + growth);
+}
+
+// As solidFreeOfProfile, by the distances at the cell's corners in the order of textureGather: some of them are
+// nearer to where the ray is going. `place` in the cell, `speed` in texels a unit of t.
+//
+// The distance r texels from a corner is less by at most √(r² + ½), as in solidFree: rounding a place to the
+// corners of its own cell has a variance of ½ at most.
+float solidFreeOfCorners(int part, int piece, int way, vec4 distances, vec2 place, vec2 speed, float z,
+                         float dz) {
+    float texels = length(speed);
+    if (!(texels > 1e-15)) return 0.0;
+    distances -= solidParts[part].section.w;
+    float highest = max(max(distances.x, distances.y), max(distances.z, distances.w));
+    float here = (way < 2 ? 1.0 : -1.0) * solidPieceOffset(solidPieceIndex(part, piece), z);
+    float span = max(highest - here + 1.5, 0.0) / texels;
+    vec4 gaps = max(distances - solidMostOffset(part, piece, way, z, dz, span), 0.0);
+    vec4 right = vec4(0.0, 1.0, 1.0, 0.0) - place.x;
+    vec4 down = vec4(1.0, 1.0, 0.0, 0.0) - place.y;
+    vec4 along = (right * speed.x + down * speed.y) / texels;
+    vec4 across = (right * speed.y - down * speed.x) / texels;
+    vec4 radii = sqrt(max(kSolidShort * gaps * gaps - across * across - 0.5, 0.0));
+    vec4 reach = mix(vec4(0.0), along + radii, lessThan(abs(along), radii));
+    float longest = max(max(reach.x, reach.y), max(reach.z, reach.w));
+    return kSolidShort * min(longest / texels, span);
+}
+
 // The first s in [0, span] at which x + y·s + z·s² passes 0; kReliefBoundless: none. One that begins on the
 // surface goes on to where it comes back; where that is level it stays on its side.
 float solidFirstRoot(vec3 g, float span, bool isOnSurface, bool isInside) {
