@@ -19,6 +19,7 @@
 #include "preprocess/coverage_boundary.h"
 #include "preprocess/distance_transform.h"
 #include "preprocess/inside_mask.h"
+#include "preprocess/outline_creases.h"
 #include "preprocess/plane_shape.h"
 #include "preprocess/prewitt_gradient.h"
 #include "textures/version.h"
@@ -98,16 +99,52 @@ double makeSure(Plane& distance) {
     return greatestOver(distance, work);
 }
 
-// Rounds distances to the format. Returns the most that it takes.
-double roundToFormat(Plane& distance, textures::StorageFormat format) {
+// The same for creases in texels, under distances that are sure already: steps are lowered.
+double makeCreasesSure(ShapeMap& map) {
+    const int width = map.width();
+    const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
+        for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
+            map.creases.code.texels[t] /= static_cast<float>(width);
+            float& step = map.creases.step.texels[t];
+            const double measured = step;
+            const double off =
+                kRelativeError * (std::abs(measured) + kLongestPiece) + kAbsoluteError;
+            step = std::min(static_cast<float>((measured - 3.0 * off) / width), mostStep(map, t));
+            most = std::max(most, (measured + off) / width - static_cast<double>(step));
+        }
+        return most;
+    };
+    return greatestOver(map.creases.step, work);
+}
+
+// Rounds a channel to the format. Returns the most that it changes.
+double roundToFormat(Plane& plane, const char* channel, textures::StorageFormat format) {
     if (format == textures::StorageFormat::Float)
         return 0.0;
-    const std::vector<float> before = distance.texels;
-    textures::storeInPlace(distance, "distance", format);
+    const std::vector<float> before = plane.texels;
+    textures::storeInPlace(plane, channel, format);
     double most = 0.0;
     for (std::size_t t = 0; t < before.size(); ++t)
-        most = std::max(most, std::abs(static_cast<double>(before[t]) - distance.texels[t]));
+        most = std::max(most, std::abs(static_cast<double>(before[t]) - plane.texels[t]));
     return most;
+}
+
+// Rounds distances and creases to the format, with steps still under both.
+void roundToFormat(ShapeMap& map, textures::StorageFormat format) {
+    const double distances = roundToFormat(map.distance, "distance", format);
+    if (!map.isCreased()) {
+        map.slack += distances;
+        return;
+    }
+    roundToFormat(map.creases.code, "crease", format);
+    const std::vector<float> before = map.creases.step.texels;
+    for (std::size_t t = 0; t < before.size(); ++t)
+        map.creases.step.texels[t] = std::min(before[t], mostStep(map, t));
+    textures::storeInPlace(map.creases.step, "step", format);
+    double steps = 0.0;
+    for (std::size_t t = 0; t < before.size(); ++t)
+        steps = std::max(steps, static_cast<double>(before[t]) - map.creases.step.texels[t]);
+    map.slack += steps;
 }
 
 double unlimited(const Sampled& shape) {
@@ -185,6 +222,15 @@ void orient(const Sampled& shape, ShapeMap& map) {
         });
 }
 
+// Sharpens the corners of distances in texels.
+void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
+    CreasedDistances found = creaseCorners(shape.boundary, map.distance, plan.wrap);
+    if (found.sharpCorners == 0)
+        return;
+    map.distance = std::move(found.distance);
+    map.creases = {std::move(found.code), std::move(found.step)};
+}
+
 Plane binaryShape(const Sampled& shape) {
     Plane result(shape.width, shape.height);
     std::ranges::copy(shape.inside, result.texels.begin());
@@ -223,10 +269,15 @@ ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
                                                        shape.width, shape.height, advance);
     ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};
     orient(shape, map);
-    if (plan.isSigned)
-        map.slack = makeSure(map.distance);
-    else
+    if (!plan.isSigned) {
         setUnsigned(shape, plan, map);
+        return map;
+    }
+    if (plan.hasCreases())
+        crease(shape, plan, map);
+    map.slack = makeSure(map.distance);
+    if (map.isCreased())
+        map.slack = makeCreasesSure(map);
     return map;
 }
 
@@ -243,7 +294,7 @@ ShapeMap bakeShape(const ShapeSource& source, const ShapePlan& plan,
     ShapeMap map = measure(shape, plan, advance);
     map.wrap = plan.wrap;
     map.isSigned = plan.isSigned;
-    map.slack += roundToFormat(map.distance, plan.format);
+    roundToFormat(map, plan.format);
     if (plan.gradient != 0)
         prewittGradient(map.distance, map.wrap, plan.gradient, map.gradientX, map.gradientY);
     return map;
@@ -254,8 +305,9 @@ ShapeMap bakeShapeFile(const std::string& name, const ShapePlan& plan) {
 }
 
 std::string optionWords(const ShapePlan& plan) {
-    return fmt::format("shape inside={} gradient={} signed={:d} format={}",
+    return fmt::format("shape inside={} gradient={} signed={:d} corners={} format={}",
                        plan.isWhiteInside ? "white" : "black", gradientName(plan), plan.isSigned,
+                       plan.hasCreases() ? "sharp" : "round",
                        textures::storageFormatName(plan.format));
 }
 

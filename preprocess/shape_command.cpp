@@ -53,6 +53,9 @@ ShapePlan planOf(const ShapeArguments& arguments) {
     plan.gradient = arguments.gradient == "exact" ? 0 : arguments.gradient.front() - '0';
     plan.channel = arguments.channel;
     plan.format = outputFormat(arguments.output, arguments.format);
+    plan.hasSharpCorners = arguments.corners != "round";
+    if (arguments.corners == "sharp" && !plan.hasCreases())
+        throw UsageError("--corners sharp: is for signed distances in .exr files");
     if (!arguments.size.empty()) {
         const MapSize size = parseSize(arguments.size, kLargestShape);
         plan.width = size.width;
@@ -184,6 +187,10 @@ CLI::App* addShapeCommand(CLI::App& app, ShapeArguments& arguments) {
                       "Distances of both signs, 0 on the outline, below 0 inside [this]");
     command->add_flag("--unsigned", arguments.isUnsigned,
                       "Distances to the nearest texel inside and 0 there, as in the thesis");
+    add("--corners", arguments.corners,
+        "sharp: two more channels keep corners that bilinear distances round off; round: none "
+        "[sharp in .exr, when signed]")
+        ->check(CLI::IsMember({"sharp", "round"}));
     add("--channel", arguments.channel, "Channel of an image, by number or name [Y, R, luminance]");
     add("--format", arguments.format, "float, half (.exr), u16, u8 (.png, .tif) [float, u16]")
         ->check(CLI::IsMember({"float", "half", "u16", "u8"}));

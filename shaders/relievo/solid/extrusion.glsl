@@ -3,10 +3,10 @@
 // the ray leaves a cell it goes on as far as the distance there says that all is free, and farther where that
 // can be made good. No step can pass the surface, whatever its slope, and no second search is needed.
 //
-// Error: rounding of floats. Cost: one lookup a cell, and one a leap that was too long.
-#include "relievo/fetches.glsl"
-#include "relievo/platform.glsl"
+// Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
+// surface; and one a leap that was too long.
 #include "relievo/search/walk.glsl"
+#include "relievo/solid/cell.glsl"
 #include "relievo/solid/leap.glsl"
 #include "relievo/solid/profile.glsl"
 
@@ -26,13 +26,12 @@ void solidMeetStep(float t, float dz, inout SolidCursor cursor) {
     cursor.isOnSurface = false;
 }
 
-// Looks for the surface on the part of the walk's cell up to `exit`. `distances` are those of
+// Looks for the surface on the part of the walk's cell between `from` and `exit`. `distances` are those of
 // reliefAlongCell in the sense of the ray. False: the cursor's piece is that at the exit.
-bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, float exit, bool isOnSurface,
-                     inout SolidCursor cursor) {
+bool solidMeetField(int part, SolidPath path, ReliefWalk walk, vec3 distances, float from, float exit,
+                    bool isOnSurface, inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
     float dz = path.direction.z;
-    float from = walk.t;
     bool isStep = false;
     for (int pieces = solidParts[part].ways.x; pieces > 0; --pieces) {
         int index = solidPieceIndex(part, cursor.piece);
@@ -67,6 +66,60 @@ bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, 
         isOnSurface = false;
     }
     return false;
+}
+
+#ifdef RELIEVO_SOLID_CREASED
+// The same up to `exit` with creases, where the distance goes over from one field to the other. `steps` are
+// below the distance: where they do not come to the surface from outside it does not either.
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
+                     bool isOnSurface, inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    if (!cursor.isInside && !isOnSurface) {
+        SolidCursor ahead = cursor;
+        if (!solidMeetField(part, path, walk, reliefAlongCell(walk, steps), walk.t, exit, false, ahead)) {
+            cursor = ahead;
+            return false;
+        }
+    }
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    vec3 first = reliefAlongCell(walk, cell.first);
+    vec3 second = reliefAlongCell(walk, cell.second);
+    vec3 apart = first - second;
+    vec2 creases = walk.t + solidZeros(apart);
+    float from = walk.t;
+    for (int k = 0; k < 3; ++k) {
+        float to = k == 0 ? creases.x : (k == 1 ? creases.y : exit);
+        to = min(to, exit);
+        if (to < from || (to == from && k < 2)) continue;
+        float s = 0.5 * (from + to) - walk.t;
+        bool isFirst = solidIsFirst(cell, apart.x + (apart.y + apart.z * s) * s, 0.0);
+        if (solidMeetField(part, path, walk, sense * (isFirst ? first : second), from, to, isOnSurface, cursor))
+            return true;
+        from = to;
+        isOnSurface = false;
+    }
+    return false;
+}
+#else
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
+                     bool isOnSurface, inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    return solidMeetField(part, path, walk, sense * reliefAlongCell(walk, steps), walk.t, exit, isOnSurface,
+                          cursor);
+}
+#endif
+
+// Whether the surface has been passed where the walk's ray enters its cell: `gap` is sure of the distance less
+// the offset, both in the sense of the ray.
+bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, vec4 steps, float gap, float offset,
+                    bool isInside) {
+    if (!solidIsPassed(gap, isInside)) return false;
+    if (solidIsPassed(gap + solidCreaseDepth(part), isInside)) return true;
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    float first = reliefAlongCell(walk, cell.first).x;
+    float second = reliefAlongCell(walk, cell.second).x;
+    float distance = solidIsFirst(cell, first, second) ? first : second;
+    return solidIsPassed((isInside ? -distance : distance) - offset, isInside);
 }
 
 // On to t where that is beyond the walk's cell.
@@ -106,20 +159,24 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
-        vec4 corners = sense * reliefGather(map, reliefWalkGather(walk));
-        vec3 distances = reliefAlongCell(walk, corners);
+        vec4 steps = reliefGather(map, reliefWalkGather(walk));
+        // What is sure of the distance, in the sense of the ray.
+        vec4 corners = sense * steps;
+        if (cursor.isInside) corners -= solidCreaseDepth(part);
+        vec3 sure = reliefAlongCell(walk, corners);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
         float clear = walk.t;
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
-            if (isStart && solidIsPassed(distances.x - offset, cursor.isInside)) {
+            if (isStart &&
+                solidHasPassed(map, part, walk, steps, sure.x - offset, offset, cursor.isInside)) {
                 // What is solid where a ray begins shows the side that it came in by.
                 cursor.side = path.enterNormal;
                 return;
             }
-            float ahead = solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
-            float behind = solidFreeOfCell(part, cursor.piece, solidWayBack(way), distances.x, corners, walk,
+            float ahead = solidFreeOfProfile(part, cursor.piece, way, sure.x, z, dz, speed);
+            float behind = solidFreeOfCell(part, cursor.piece, solidWayBack(way), sure.x, corners, walk,
                                            walk.t, z, -velocity);
             if (!solidHasLanded(leap, walk.t, behind, ahead)) {
                 walk = back;
@@ -132,12 +189,12 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         // A cell of no length leads neither off the surface nor through it.
         bool isBare = isOnSurface && exit <= cursor.t;
         if (clear <= exit && !isBare &&
-            solidMeetInCell(part, path, walk, distances, exit, isOnSurface, cursor))
+            solidMeetInCell(map, part, path, walk, steps, exit, isOnSurface, cursor))
             return;
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
-        float distance = distances.x + (distances.y + distances.z * span) * span;
+        float distance = sure.x + (sure.y + sure.z * span) * span;
         float free =
             solidFreeOfCell(part, cursor.piece, way, distance, corners, walk, exit, z, velocity);
         clear = solidClearOfIsland(leap, max(clear, exit + free));
@@ -155,7 +212,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         backPiece = cursor.piece;
         leap.clear = max(clear, walk.t);
         float shrinking = solidShrinking(solidPieceIndex(part, backPiece), sense, distance,
-                                         distances.y + 2.0 * distances.z * span, z, dz);
+                                         sure.y + 2.0 * sure.z * span, z, dz);
         float radius = isOnSurface ? 0.0 : free * speed;
         solidReachWalk(walk, solidLeap(leap, radius, shrinking, speed, float(walk.size.x), path.leave));
         cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
