@@ -1,6 +1,8 @@
 #include "materials/shape_textures.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "materials/relief_maps.h"
@@ -16,17 +18,27 @@ std::vector<float> distanceTexels(const textures::ShapeMap& shape) {
     return texels;
 }
 
+// `value` with its last bit as given: at most the next float to it.
+float withLastBit(float value, bool bit) {
+    const auto bits = std::bit_cast<std::uint32_t>(value) & ~1U;
+    return std::bit_cast<float>(bits | (bit ? 1U : 0U));
+}
+
 std::vector<float> creasedTexels(const textures::ShapeMap& shape) {
     const auto width = static_cast<float>(shape.width());
     const std::size_t count = shape.distance.texels.size();
     std::vector<float> texels(3 * count);
     for (std::size_t t = 0; t < count; ++t) {
-        const float step = width * shape.creases.step.texels[t];
-        const float code = width * shape.creases.code.texels[t];
-        const float above = width * shape.distance.texels[t] - step;
+        const float distance = shape.distance.texels[t];
+        const float code = shape.creases.code.texels[t];
+        const bool isLowered = code != 0.0f || shape.creases.step.texels[t] != distance;
+        const float step = withLastBit(width * shape.creases.step.texels[t], isLowered);
         texels[3 * t] = step;
-        texels[3 * t + 1] = code == 0.0f ? above : above + static_cast<float>(RELIEVO_SOLID_CREASE);
-        texels[3 * t + 2] = code;
+        if (!isLowered)
+            continue;
+        texels[3 * t + 1] = width * distance - step +
+                            (code != 0.0f ? static_cast<float>(RELIEVO_SOLID_CREASE) : 0.0f);
+        texels[3 * t + 2] = width * code;
     }
     return texels;
 }

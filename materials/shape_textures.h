@@ -13,7 +13,7 @@ namespace relievo::materials {
 struct ShapeTextures {
     /// Looked up four at a time, in texels: R32F, the distance to the outline; with creases RGB32F,
     /// what steps go by, how far the distance is above it (and RELIEVO_SOLID_CREASE more at texels
-    /// with a crease), and codes.
+    /// with a crease), and codes; the last bit of the first is whether the other two are not 0.
     gl::Texture distances;
     gl::Texture gradients;  ///< RG32F, unit gradients of the distance, linear
 };

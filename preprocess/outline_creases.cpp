@@ -123,8 +123,10 @@ std::vector<Sample> samplesOf(const OutlineCorner& corner, const Distances& dist
             if (!need.ofValue)
                 continue;
             const double distance = corner.distance(place);
-            isAlone = isAlone && agrees(corner, distance, distances.at(i, j));
-            samples.push_back({{i, j}, away, distance, need.ofCrease ? corner.code(place) : 0.0});
+            const double code = need.ofCrease ? corner.code(place) : 0.0;
+            isAlone = isAlone && agrees(corner, distance, distances.at(i, j)) &&
+                      (!corner.isConvex || std::abs(code) < textures::kLeastReflexTexels);
+            samples.push_back({{i, j}, away, distance, code});
         }
     return samples;
 }
@@ -136,8 +138,8 @@ bool isInTile(const glm::dvec2& place, const Plane& plane) {
 // Whether codes of different corners in one cell would crease it, or not let it be continued by its
 // neighbours: those of the two kinds share none.
 bool clash(double a, double b) {
-    const bool isSameKind =
-        (std::abs(a) < textures::kReflexTexels) == (std::abs(b) < textures::kReflexTexels);
+    const bool isSameKind = (std::abs(a) < textures::kLeastReflexTexels) ==
+                            (std::abs(b) < textures::kLeastReflexTexels);
     return !isSameKind || a * b < 0.0;
 }
 
@@ -208,7 +210,7 @@ void CreaseMap::writeTo(CreasedDistances& creased,
         creased.code.texels[index] = static_cast<float>(sample.code);
         // A convex crease comes down to the mean of A and B.
         const double c = std::abs(sample.code);
-        const double most = sample.distance - (c < textures::kReflexTexels ? 0.5 * c : 0.0);
+        const double most = sample.distance - (c < textures::kLeastReflexTexels ? 0.5 * c : 0.0);
         if (most < static_cast<double>(distances_.plane.texels[index]))
             byCorner[entry.corner].push_back({sample.texel, most});
     }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -99,6 +100,9 @@ double makeSure(Plane& distance) {
     return greatestOver(distance, work);
 }
 
+// A step that nothing lowers, until the distance is sure: it is that.
+constexpr float kNotLowered = std::numeric_limits<float>::infinity();
+
 // The same for creases in texels, under distances that are sure already: steps are lowered.
 double makeCreasesSure(ShapeMap& map) {
     const int width = map.width();
@@ -106,6 +110,10 @@ double makeCreasesSure(ShapeMap& map) {
         for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
             map.creases.code.texels[t] /= static_cast<float>(width);
             float& step = map.creases.step.texels[t];
+            if (step == kNotLowered) {
+                step = map.distance.texels[t];
+                continue;
+            }
             const double measured = step;
             const double off =
                 kRelativeError * (std::abs(measured) + kLongestPiece) + kAbsoluteError;
@@ -227,6 +235,9 @@ void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
     CreasedDistances found = creaseCorners(shape.boundary, map.distance, plan.wrap);
     if (found.sharpCorners == 0)
         return;
+    for (std::size_t t = 0; t < found.step.texels.size(); ++t)
+        if (found.step.texels[t] == found.distance.texels[t] && found.code.texels[t] == 0.0f)
+            found.step.texels[t] = kNotLowered;
     map.distance = std::move(found.distance);
     map.creases = {std::move(found.code), std::move(found.step)};
 }
@@ -277,7 +288,7 @@ ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
         crease(shape, plan, map);
     map.slack = makeSure(map.distance);
     if (map.isCreased())
-        map.slack = makeCreasesSure(map);
+        map.slack += makeCreasesSure(map);
     return map;
 }
 

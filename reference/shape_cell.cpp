@@ -1,5 +1,6 @@
 #include "reference/shape_cell.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace relievo::reference {
@@ -31,18 +32,20 @@ BilinearCell ShapeCell::difference() const noexcept {
 }
 
 ShapeCell shapeCell(const std::array<double, 4>& distances, const std::array<double, 4>& codes,
-                    double reflexCode) noexcept {
+                    double texel) noexcept {
+    const double least = textures::kLeastReflexTexels * texel;
     bool isReflex = false;
     for (const double code : codes)
-        isReflex = isReflex || std::abs(code) >= reflexCode;
+        isReflex = isReflex || std::abs(code) >= least;
     std::array<double, 4> a = distances;
     std::array<double, 4> b = distances;
     bool hasA = false;
     bool hasB = false;
     for (std::size_t k = 0; k < codes.size(); ++k) {
-        const double size = std::abs(codes[k]) - (isReflex ? reflexCode : 0.0);
-        if (codes[k] == 0.0 || size < 0.0)
+        if (codes[k] == 0.0 || (isReflex && std::abs(codes[k]) < least))
             continue;
+        const double size =
+            std::max(0.0, std::abs(codes[k]) - (isReflex ? textures::kReflexTexels * texel : 0.0));
         // The other side is less than the distance at a convex corner, more at a reflex one.
         (codes[k] < 0.0 ? b : a)[k] += isReflex ? size : -size;
         (codes[k] < 0.0 ? hasA : hasB) = true;
@@ -58,7 +61,7 @@ ShapeCell shapeCell(const textures::ShapeMap& map, int left, int right, int top,
     if (!map.isCreased())
         return {cellOf(distances), cellOf(distances), ShapeCell::Join::Same};
     return shapeCell(distances, samplesOf(map.creases.code, left, right, top, bottom),
-                     static_cast<double>(map.reflexCode()));
+                     1.0 / map.width());
 }
 
 BilinearCell stepCell(const textures::ShapeMap& map, int left, int right, int top,

@@ -25,10 +25,10 @@ struct ShapeCell {
     [[nodiscard]] BilinearCell difference() const noexcept;
 };
 
-/// From the distances of the centres and their codes, in the order of BilinearCell; a code of
-/// magnitude `reflexCode` or more is one of a reflex corner.
+/// From the distances of the centres and their codes, in the order of BilinearCell; both in units
+/// of which a texel is `texel` wide.
 ShapeCell shapeCell(const std::array<double, 4>& distances, const std::array<double, 4>& codes,
-                    double reflexCode) noexcept;
+                    double texel) noexcept;
 
 /// Between the columns `left` and `right` and the rows `top` and `bottom` of a map.
 ShapeCell shapeCell(const textures::ShapeMap& map, int left, int right, int top,

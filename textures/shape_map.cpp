@@ -71,14 +71,15 @@ void requireSafeSteps(const ShapeMap& shape) {
 
 float mostStep(const ShapeMap& shape, std::size_t texel) noexcept {
     const float c = std::abs(shape.creases.code.texels[texel]);
-    return shape.distance.texels[texel] - (c < shape.reflexCode() ? 0.5f * c : 0.0f);
+    return shape.distance.texels[texel] - (shape.isReflex(texel) ? 0.0f : 0.5f * c);
 }
 
 double creaseDepth(const ShapeMap& shape) noexcept {
     double deepest = 0.0;
     for (std::size_t t = 0; t < shape.creases.code.texels.size(); ++t) {
         const double c = std::abs(static_cast<double>(shape.creases.code.texels[t]));
-        const double reflex = std::max(0.0, c - static_cast<double>(shape.reflexCode()));
+        const double reflex =
+            shape.isReflex(t) ? std::max(0.0, c - kReflexTexels / shape.width()) : 0.0;
         const double below = static_cast<double>(shape.distance.texels[t]) -
                              static_cast<double>(shape.creases.step.texels[t]);
         deepest = std::max(deepest, below + 0.5 * reflex);

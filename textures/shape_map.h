@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "textures/plane.h"
@@ -11,6 +12,8 @@ struct MapSet;
 
 /// What the code of a reflex crease has more than that of a convex one, in texels.
 inline constexpr double kReflexTexels = 16.0;
+/// From what code on a crease is a reflex one, in texels: less, as number formats round it.
+inline constexpr double kLeastReflexTexels = 12.0;
 
 /// What keeps the corners of a shape sharp: no bilinear distance has a corner. Around one, the
 /// distance is the larger (convex corner) or smaller (reflex corner) one of two bilinear fields, A
@@ -21,8 +24,9 @@ inline constexpr double kReflexTexels = 16.0;
 ///   c = +|A − B| or +(R + |A − B|): it is B's;
 ///   c = 0: A and B are the same.
 ///
-/// A cell with a code of magnitude R or more is a reflex one, and codes below that count as 0 in
-/// it; so that the distance is continuous, none should have both. Where no two codes have different signs the distance is the bilinear interpolation as ever.
+/// A cell with a code of magnitude ¾R or more is a reflex one, and codes below that count as 0 in
+/// it; so that the distance is continuous, none should have both. Where no two codes have different
+/// signs the distance is the bilinear interpolation as ever.
 struct ShapeCreases {
     Plane code;
     /// A field below the distance that steps go by: it differs between two texel centres by no more
@@ -57,9 +61,10 @@ struct ShapeMap {
         return static_cast<double>(distance.height) / static_cast<double>(distance.width);
     }
     [[nodiscard]] bool isCreased() const noexcept { return !creases.code.texels.empty(); }
-    /// R, in tile widths.
-    [[nodiscard]] float reflexCode() const noexcept {
-        return static_cast<float>(kReflexTexels / distance.width);
+    /// Whether the crease at a texel is a reflex one. Needs creases.
+    [[nodiscard]] bool isReflex(std::size_t texel) const noexcept {
+        return std::abs(creases.code.texels[texel]) * static_cast<float>(distance.width) >=
+               static_cast<float>(kLeastReflexTexels);
     }
     /// What steps go by.
     [[nodiscard]] const Plane& steps() const noexcept {

@@ -25,7 +25,7 @@ reference::ShapeCell cellOf(const SampledDistance& field, int i, int j) {
     return reference::shapeCell(
         clampedSamples(field.distance, i, j),
         field.hasCrease() ? clampedSamples(field.crease, i, j) : std::array<double, 4>{},
-        textures::kReflexTexels);
+        1.0);
 }
 
 double inCell(const SampledDistance& field, int i, int j, const glm::dvec2& part) {

@@ -118,7 +118,9 @@ std::shared_ptr<const ShapeMap> randomCreases(int width, int height, WrapMode wr
     for (std::size_t t = 0; t < shape->distance.texels.size(); ++t) {
         const auto code = static_cast<float>(value(random));
         shape->creases.code.texels[t] =
-            isReflex ? code + std::copysign(shape->reflexCode(), code) : code;
+            isReflex
+                ? code + std::copysign(static_cast<float>(textures::kReflexTexels / width), code)
+                : code;
         shape->creases.step.texels[t] = textures::mostStep(*shape, t);
     }
     return shape;
@@ -150,7 +152,7 @@ double creasedDistance(const ShapeMap& map, double u, double v, WrapMode wrap) {
     const Around here = around(map, u, v, wrap);
     bool isReflex = false;
     for (const std::size_t t : here.texels)
-        isReflex = isReflex || std::abs(map.creases.code.texels[t]) >= map.reflexCode();
+        isReflex = isReflex || map.isReflex(t);
     double a = 0.0;
     double b = 0.0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -159,7 +161,7 @@ double creasedDistance(const ShapeMap& map, double u, double v, WrapMode wrap) {
         const double code = map.creases.code.texels[here.texels[k]];
         const double distance = map.distance.texels[here.texels[k]];
         const double over = std::max(
-            0.0, std::abs(code) - (isReflex ? static_cast<double>(map.reflexCode()) : 0.0));
+            0.0, std::abs(code) - (isReflex ? textures::kReflexTexels / map.width() : 0.0));
         const double other = isReflex ? distance + over : distance - over;
         a += weight * (code < 0.0 ? distance : other);
         b += weight * (code < 0.0 ? other : distance);

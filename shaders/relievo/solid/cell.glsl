@@ -3,7 +3,9 @@
 //
 //   RELIEVO_SOLID_CREASED  maps may have creases. Then their channels are what steps go by, the distance less
 //                          that (and RELIEVO_SOLID_CREASE more at texels with a crease), and the code of the
-//                          crease. Of maps without creases the last two are 0.
+//                          crease. The last bit of the first says whether the others are not 0, so that they
+//                          are looked up around corners only. Of maps without creases it may say so as well,
+//                          and they are 0.
 #include "relievo/fetches.glsl"
 #include "relievo/platform.glsl"
 #include "relievo/solid/block.glsl"
@@ -18,14 +20,16 @@ struct SolidCell {
 // The cell around `corner`, in which steps go by `steps`.
 SolidCell solidCell(sampler2D map, vec2 corner, vec4 steps) {
 #ifdef RELIEVO_SOLID_CREASED
+    uvec4 bits = floatBitsToUint(steps) & 1u;
+    if (bits == uvec4(0u)) return SolidCell(steps, steps, true);
     ++reliefFetchCount;
     vec4 above = reliefGatherChannel(map, corner, 1);
-    vec4 creased = step(RELIEVO_SOLID_CREASE, above);
+    vec4 creased = step(RELIEVO_SOLID_LEAST_REFLEX, above);
     vec4 distances = steps + (above - RELIEVO_SOLID_CREASE * creased);
     if (creased == vec4(0.0)) return SolidCell(distances, distances, true);
     ++reliefFetchCount;
     vec4 codes = reliefGatherChannel(map, corner, 2);
-    bool isReflex = any(greaterThanEqual(abs(codes), vec4(RELIEVO_SOLID_CREASE)));
+    bool isReflex = any(greaterThanEqual(abs(codes), vec4(RELIEVO_SOLID_LEAST_REFLEX)));
     vec4 apart = max(abs(codes) - (isReflex ? RELIEVO_SOLID_CREASE : 0.0), 0.0);
     vec4 other = distances + (isReflex ? apart : -apart);
     return SolidCell(mix(distances, other, vec4(greaterThan(codes, vec4(0.0)))),
@@ -48,10 +52,9 @@ bool solidCornerGradient(sampler2D map, vec2 uv, out vec2 gradient) {
     place = fract(place);
     gradient = vec2(0.0);
     ++reliefFetchCount;
-    vec4 codes = reliefGatherChannel(map, corner, 2);
-    if (!any(lessThan(codes, vec4(0.0))) || !any(greaterThan(codes, vec4(0.0)))) return false;
-    ++reliefFetchCount;
-    SolidCell cell = solidCell(map, corner, reliefGather(map, corner));
+    vec4 steps = reliefGather(map, corner);
+    SolidCell cell = solidCell(map, corner, steps);
+    if (cell.first == cell.second) return false;
     vec4 weights = vec4(1.0 - place.x, place.x, place.x, 1.0 - place.x) * vec4(place.yy, 1.0 - place.yy);
     vec4 field = solidIsFirst(cell, dot(weights, cell.first), dot(weights, cell.second)) ? cell.first : cell.second;
     vec2 along = mix(vec2(field.z, field.x) - field.w, field.yy - vec2(field.x, field.z), place.yx);
