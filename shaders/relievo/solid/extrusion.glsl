@@ -166,6 +166,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         vec3 sure = reliefAlongCell(walk, corners);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
+        if (!isStart) cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float clear = walk.t;
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
@@ -181,7 +182,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
             if (!solidHasLanded(leap, walk.t, behind, ahead)) {
                 walk = back;
                 solidReachWalk(walk, leap.clear);
-                cursor.piece = solidPieceAt(part, backPiece, path.origin.z + walk.t * dz, dz);
+                cursor.piece = backPiece;
                 continue;
             }
             clear += ahead;
@@ -215,7 +216,6 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
                                          sure.y + 2.0 * sure.z * span, z, dz);
         float radius = isOnSurface ? 0.0 : free * speed;
         solidReachWalk(walk, solidLeap(leap, radius, shrinking, speed, float(walk.size.x), path.leave));
-        cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
     }
     cursor.t = min(walk.t, leap.clear);
     solidIsExhausted = true;
