@@ -24,8 +24,7 @@ std::array<double, 4> clampedSamples(const textures::Plane& plane, int i, int j)
 reference::ShapeCell cellOf(const SampledDistance& field, int i, int j) {
     return reference::shapeCell(
         clampedSamples(field.distance, i, j),
-        field.hasCrease() ? clampedSamples(field.crease, i, j) : std::array<double, 4>{},
-        1.0);
+        field.hasCrease() ? clampedSamples(field.crease, i, j) : std::array<double, 4>{}, 1.0);
 }
 
 double inCell(const SampledDistance& field, int i, int j, const glm::dvec2& part) {
@@ -197,9 +196,9 @@ double OutlineErrors::atCorners() const {
     return std::max(levelAtCorners.largest, outlineAtCorners.largest);
 }
 
-std::vector<OutlineCorner> cornersOf(const std::vector<reference::OutlineContour>& contours) {
+std::vector<ContourCorner> cornersOf(const std::vector<reference::OutlineContour>& contours) {
     const double most = std::cos(5.0 * std::numbers::pi / 180.0);
-    std::vector<OutlineCorner> corners;
+    std::vector<ContourCorner> corners;
     for (std::size_t c = 0; c < contours.size(); ++c) {
         const reference::OutlineContour& contour = contours[c];
         for (std::size_t k = 0; k < contour.size(); ++k) {
@@ -219,7 +218,7 @@ OutlineErrors measureErrors(const SampledDistance& field,
                             const glm::ivec2& high, int lines) {
     constexpr double kCornerReach = 2.0;
     std::vector<glm::dvec2> cornerPlaces;
-    for (const OutlineCorner& corner : cornersOf(contours))
+    for (const ContourCorner& corner : cornersOf(contours))
         cornerPlaces.push_back(corner.place);
     const PointGrid corners(cornerPlaces);
     const auto isAtCorner = [&](const glm::dvec2& p) { return corners.nearest(p) < kCornerReach; };

@@ -48,13 +48,13 @@ struct OutlineErrors {
 };
 
 /// A corner of an outline.
-struct OutlineCorner {
+struct ContourCorner {
     std::size_t contour = 0;
     std::size_t vertex = 0;
     glm::dvec2 place{0.0};
 };
 /// Vertices where contours turn by more than 5°.
-std::vector<OutlineCorner> cornersOf(const std::vector<reference::OutlineContour>& contours);
+std::vector<ContourCorner> cornersOf(const std::vector<reference::OutlineContour>& contours);
 
 /// Outline in texels. Corners reach two texels. Only what is within [low, high) counts.
 OutlineErrors measureErrors(const SampledDistance& field,

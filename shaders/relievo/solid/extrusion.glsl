@@ -1,12 +1,13 @@
 // Where a ray passes the surface of an extrusion d(u,v) = o(z) (specification 7.2), d bilinear between texel
 // centres and o straight from piece to piece: cells are solved exactly, one quadratic a piece, and from where
-// the ray leaves a cell it goes on as far as the distance there says that all is free. No step can pass the
-// surface, whatever its slope, and no second search is needed.
+// the ray leaves a cell it goes on as far as the distance there says that all is free, and farther where that
+// can be made good. No step can pass the surface, whatever its slope, and no second search is needed.
 //
 // Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
-// surface.
+// surface; and one a leap that was too long.
 #include "relievo/search/walk.glsl"
 #include "relievo/solid/cell.glsl"
+#include "relievo/solid/leap.glsl"
 #include "relievo/solid/profile.glsl"
 
 // Puts the cursor on a wall of a piece, or on the level step that the ray has come to.
@@ -121,6 +122,16 @@ bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, vec4 steps, float 
     return solidIsPassed((isInside ? -distance : distance) - offset, isInside);
 }
 
+// On to t where that is beyond the walk's cell.
+void solidReachWalk(inout ReliefWalk walk, float t) {
+    if (t > walk.exit) reliefJumpWalk(walk, t);
+}
+
+// By how much of itself the gap to the surface shrinks per unit of t, where the distance has that slope.
+float solidShrinking(int index, float sense, float distance, float slope, float z, float dz) {
+    return (sense * solidPieces[index].line.w * dz - slope) / (distance - sense * solidPieceOffset(index, z));
+}
+
 // On to the next place where the ray passes the surface, from the cursor's.
 void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
     ReliefWalk walk = reliefBeginWalk(path.origin.xy, path.direction.xy, textureSize(map, 0),
@@ -132,6 +143,9 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     int way = solidWay(dz, cursor.isInside);
     bool isStart = true;
     bool isOnSurface = cursor.isOnSurface;
+    SolidLeap leap = solidBeginLeaps(walk.t);
+    ReliefWalk back = walk;  // from where to go on after a leap that was too long
+    int backPiece = cursor.piece;
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
@@ -141,6 +155,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         if (cursor.isInside) sure.x -= solidCreaseDepth(part);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
+        if (!isStart) cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float clear = walk.t;
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
@@ -150,7 +165,16 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
                 cursor.side = path.enterNormal;
                 return;
             }
-            clear += solidFreeOfProfile(part, cursor.piece, way, sure.x, z, dz, speed);
+            float ahead = solidFreeOfProfile(part, cursor.piece, way, sure.x, z, dz, speed);
+            float behind =
+                solidFreeOfProfile(part, cursor.piece, solidWayBack(way), sure.x, z, -dz, speed);
+            if (!solidHasLanded(leap, walk.t, behind, ahead)) {
+                walk = back;
+                solidReachWalk(walk, leap.clear);
+                cursor.piece = backPiece;
+                continue;
+            }
+            clear += ahead;
         }
         // A cell of no length leads neither off the surface nor through it.
         bool isBare = isOnSurface && exit <= cursor.t;
@@ -161,8 +185,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
         float distance = sure.x + (sure.y + sure.z * span) * span;
-        clear = max(clear,
-                    exit + solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed));
+        float free = solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed);
+        clear = solidClearOfIsland(leap, max(clear, exit + free));
         if (clear >= path.leave) {
             cursor.t = cursor.isInside ? path.leave : kReliefBoundless;
             cursor.side = path.leaveNormal;
@@ -173,9 +197,14 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         isOnSurface = isBare;
         // The step alone is sure to leave the cell.
         reliefStepWalk(walk);
-        if (clear > walk.exit) reliefJumpWalk(walk, clear);
-        cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
+        back = walk;
+        backPiece = cursor.piece;
+        leap.clear = max(clear, walk.t);
+        float shrinking = solidShrinking(solidPieceIndex(part, backPiece), sense, distance,
+                                         sure.y + 2.0 * sure.z * span, z, dz);
+        float radius = isOnSurface ? 0.0 : free * speed;
+        solidReachWalk(walk, solidLeap(leap, radius, shrinking, speed, float(walk.size.x), path.leave));
     }
-    cursor.t = walk.t;
+    cursor.t = min(walk.t, leap.clear);
     solidIsExhausted = true;
 }

@@ -4,8 +4,9 @@
 // twice as many digits are right each time. Every replica is a solid of its own: no step leaves its tile.
 //
 // Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
-// surface.
+// surface; and one a leap that was too long.
 #include "relievo/solid/cell.glsl"
+#include "relievo/solid/leap.glsl"
 #include "relievo/solid/section.glsl"
 
 // Texels: what floats make of distances from the axis of a thousand texels. Nearer is on the surface.
@@ -211,6 +212,11 @@ SolidSection solidSectionOf(int part, SolidPath path, ivec3 tile, ivec2 size, fl
     return solidBeginSection(path, solidParts[part].section.xy, tile, solidIsTurned(part, tile.z), size, t);
 }
 
+// On to t where that is beyond the section's cell.
+void solidReachSection(inout SolidSection section, float t) {
+    if (t > section.exit) solidJumpSection(section, t);
+}
+
 // On to the next place where the ray passes the surface, from the cursor's.
 void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
     ivec2 size = textureSize(map, 0);
@@ -223,6 +229,8 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
     vec3 side = path.enterNormal;
     bool isFresh = true;  // at the start, or behind the border of a replica
     bool isOnSurface = cursor.isOnSurface;
+    SolidLeap leap = solidBeginLeaps(section.t);
+    SolidSection back = section;  // from where to go on after a leap that was too long
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
@@ -239,7 +247,13 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
                 cursor.side = side;
                 return;
             }
-            clear += kSolidShort * solidFree(value - info.w, 0.0, speed);
+            float around = kSolidShort * solidFree(value - info.w, 0.0, speed);
+            if (!solidHasLanded(leap, section.t, around, around)) {
+                section = back;
+                solidReachSection(section, leap.clear);
+                continue;
+            }
+            clear += around;
         }
         if (clear <= exit) {
             float root;
@@ -254,19 +268,24 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
                 return;
             }
             if (!isSettled) {
-                section.t = from;
+                section.t = leap.clear = from;
                 isFresh = isOnSurface = false;
                 continue;
             }
         }
-        clear = max(clear, exit + kSolidShort * solidFree(solidFieldAt(sure, section, exit) - info.w, 0.0,
-                                                          speed));
+        float gap = solidFieldAt(sure, section, exit);
+        float free = kSolidShort * solidFree(gap - info.w, 0.0, speed);
+        clear = solidClearOfIsland(leap, max(clear, exit + free));
         isFresh = false;
         isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
         if (clear < tileExit) {
             // The step alone is sure to leave the cell.
+            float shrinking = -solidFieldSlopes(sure, section, exit, exit).x / gap;
             solidStepSection(section);
-            if (clear > section.exit) solidJumpSection(section, clear);
+            back = section;
+            leap.clear = max(clear, section.t);
+            float radius = isOnSurface ? 0.0 : free * speed;
+            solidReachSection(section, solidLeap(leap, radius, shrinking, speed, float(size.x), tileExit));
             continue;
         }
         cursor.isOnSurface = false;
@@ -282,7 +301,8 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         section = solidSectionOf(part, path, cursor.tile, size, tileExit);
         tileExit = max(min(solidTileExit(path, cursor.tile, axis), path.leave), section.t);
         isFresh = true;
+        leap = solidBeginLeaps(section.t);
     }
-    cursor.t = section.t;
+    cursor.t = min(section.t, leap.clear);
     solidIsExhausted = true;
 }
