@@ -303,8 +303,10 @@ Drawing figureDrawing(std::string_view name) {
 }
 
 std::shared_ptr<const textures::ShapeMap> figureShape(std::string_view name, int width,
-                                                      textures::WrapMode wrap) {
+                                                      textures::WrapMode wrap,
+                                                      bool hasSharpCorners) {
     preprocess::ShapePlan plan;
+    plan.hasSharpCorners = hasSharpCorners;
     plan.wrap = wrap;
     plan.width = width;
     preprocess::ShapeSource source;

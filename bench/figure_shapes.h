@@ -14,8 +14,9 @@ namespace relievo::bench {
 /// `vase`, `baluster`, `bell`, `top`, `bowl`, `torus` and `ball`. It must be one of these.
 outlines::Drawing figureDrawing(std::string_view name);
 
-/// The shape map of it, so many texels wide.
+/// The shape map of it, so many texels wide, with sharp corners or without.
 std::shared_ptr<const textures::ShapeMap> figureShape(
-    std::string_view name, int width, textures::WrapMode wrap = textures::WrapMode::Clamp);
+    std::string_view name, int width, textures::WrapMode wrap = textures::WrapMode::Clamp,
+    bool hasSharpCorners = true);
 
 }  // namespace relievo::bench

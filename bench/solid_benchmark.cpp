@@ -84,14 +84,17 @@ std::vector<Case> casesOf(const SolidBenchmarkOptions& options) {
 // The shape maps, each baked once.
 class Shapes {
   public:
+    explicit Shapes(bool hasSharpCorners) : hasSharpCorners_(hasSharpCorners) {}
+
     std::shared_ptr<const textures::ShapeMap> get(const Case& which) {
         auto& shape = shapes_[{which.shape, which.size}];
         if (!shape)
-            shape = makeSolidShape(which.shape, which.size);
+            shape = makeSolidShape(which.shape, which.size, hasSharpCorners_);
         return shape;
     }
 
   private:
+    bool hasSharpCorners_;
     std::map<std::pair<std::string, int>, std::shared_ptr<const textures::ShapeMap>> shapes_;
 };
 
@@ -158,7 +161,7 @@ std::vector<std::string> solidBenchmarkTechniques() {
 SolidReport measureSolids(const SolidBenchmarkOptions& options) {
     const auto context = gl::createContext(options.backend);
     viewer::FrameRenderer frames;
-    Shapes shapes;
+    Shapes shapes(options.corners == "sharp");
     SolidReport report{context->description(), {}};
     commands::Progress progress("frames", frameCount(options, shapes));
     for (const Case& which : casesOf(options)) {

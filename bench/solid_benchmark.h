@@ -34,6 +34,8 @@ struct SolidBenchmarkOptions {
     int repeat = 3;               ///< runs of which the fastest counts
     double depthScale = 0.25;     ///< of extrusions, in tile widths
     double azimuth = 35.0;        ///< degrees
+    /// "round", as all searches see the maps, or "sharp", with creases, which only ours reads.
+    std::string corners = "round";
     gl::Backend backend = gl::Backend::OSMesa;
 };
 

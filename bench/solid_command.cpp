@@ -40,6 +40,9 @@ SolidCommand::SolidCommand(CLI::App& app)
         ->check(CLI::Range(1e-6, 1e3));
     add("--azimuth", options_.azimuth, "Degrees of the rays around the plane's normal")
         ->check(CLI::Range(-360.0, 360.0));
+    add("--corners", options_.corners,
+        "sharp: maps with creases, which only the search `solid` reads; round: without")
+        ->check(CLI::IsMember({"sharp", "round"}));
     addRepeatOption(*command_, options_.repeat);
     addBackendOption(*command_, options_.backend);
     addPlotAgainstOption(*command_, plotAgainst_);
@@ -66,6 +69,7 @@ void SolidCommand::run() const {
                           {"frame", options_.frame},
                           {"depthScale", options_.depthScale},
                           {"azimuth", options_.azimuth},
+                          {"corners", options_.corners},
                           {"repeat", options_.repeat},
                           {"rows", rowsAsJson(table)}},
                  .plot = solidPlot(report.measurements, plotAgainst_),

@@ -18,4 +18,7 @@ std::vector<FigureRow> comparedFigures(FigureFrames& frames);
 /// 4.20 to 4.22: reliefs on meshes, extrusions and revolutions.
 std::vector<FigureRow> collectionFigures(FigureFrames& frames);
 
+/// Not of the thesis: sharp corners beside round ones, of maps of a quarter of the texels.
+std::vector<FigureRow> cornerFigures(FigureFrames& frames);
+
 }  // namespace relievo::bench

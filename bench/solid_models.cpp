@@ -74,7 +74,8 @@ bool fitsSolid(std::string_view shape, std::string_view solid) {
     return isSection(shape) == isRevolution(solid);
 }
 
-std::shared_ptr<const textures::ShapeMap> makeSolidShape(std::string_view shape, int size) {
+std::shared_ptr<const textures::ShapeMap> makeSolidShape(std::string_view shape, int size,
+                                                         bool hasSharpCorners) {
     const reference::SampleOutline sample = outlineOf(shape);
     const outlines::Outline outline{sample.contours, sample.filling == reference::Filling::NonZero
                                                          ? outlines::FillRule::NonZero
@@ -82,6 +83,7 @@ std::shared_ptr<const textures::ShapeMap> makeSolidShape(std::string_view shape,
     preprocess::ShapePlan plan;
     plan.wrap = isSection(shape) ? textures::WrapMode::Clamp : textures::WrapMode::Repeat;
     plan.width = plan.height = size;
+    plan.hasSharpCorners = hasSharpCorners;
     return std::make_shared<textures::ShapeMap>(
         preprocess::bakeShape({outlines::Drawing{{outline}, 1.0}, size, size, ""}, plan));
 }

@@ -24,8 +24,10 @@ std::span<const std::string_view> solidShapeNames();
 /// Whether the shape is one for that solid. Both must be of the names above.
 bool fitsSolid(std::string_view shape, std::string_view solid);
 
-/// The map of a shape, size² texels. `shape` must be one of the names above.
-std::shared_ptr<const textures::ShapeMap> makeSolidShape(std::string_view shape, int size);
+/// The map of a shape, size² texels, with sharp corners (textures::ShapeCreases) or without.
+/// `shape` must be one of the names above.
+std::shared_ptr<const textures::ShapeMap> makeSolidShape(std::string_view shape, int size,
+                                                         bool hasSharpCorners);
 
 /// A solid of one part. Extrusions have no window but their depths from 0 to 1; revolutions are in
 /// the box [0, replicas]²×[0,1].

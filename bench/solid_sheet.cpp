@@ -16,7 +16,8 @@ struct FigureGroup {
 constexpr FigureGroup kGroups[] = {{"maps", mapFigures},
                                    {"boxes", boxFigures},
                                    {"compared", comparedFigures},
-                                   {"collection", collectionFigures}};
+                                   {"collection", collectionFigures},
+                                   {"corners", cornerFigures}};
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 
 #include <map>
 #include <memory>
-#include <utility>
+#include <tuple>
 
 #include "gl/texture.h"
 #include "textures/shape_map.h"
@@ -11,7 +11,10 @@ namespace relievo::materials {
 
 /// A shape on the GPU.
 struct ShapeTextures {
-    gl::Texture distances;  ///< R32F, texels from the outline, looked up four at a time
+    /// Looked up four at a time, in texels: R32F, the distance to the outline; with creases RGB32F,
+    /// what steps go by, how far the distance is above it (and RELIEVO_SOLID_CREASE more at texels
+    /// with a crease), and codes; the last bit of the first is whether the other two are not 0.
+    gl::Texture distances;
     gl::Texture gradients;  ///< RG32F, unit gradients of the distance, linear
 };
 
@@ -20,14 +23,15 @@ struct ShapeTextures {
 class ShapeTextureCache {
   public:
     /// `isSection`: the shape is that of a revolution, which is read clamped whatever its wrap
-    /// mode. The cache keeps the shape.
-    const ShapeTextures& get(const std::shared_ptr<const textures::ShapeMap>& shape,
-                             bool isSection);
+    /// mode. `isCreased`: with its creases, if it has any; else its distances alone. The cache
+    /// keeps the shape.
+    const ShapeTextures& get(const std::shared_ptr<const textures::ShapeMap>& shape, bool isSection,
+                             bool isCreased);
 
     [[nodiscard]] std::size_t size() const noexcept { return textures_.size(); }
 
   private:
-    using Key = std::pair<std::shared_ptr<const textures::ShapeMap>, bool>;
+    using Key = std::tuple<std::shared_ptr<const textures::ShapeMap>, bool, bool>;
     std::map<Key, ShapeTextures> textures_;
 };
 

@@ -18,6 +18,8 @@ namespace {
 
 static_assert(solids::kMostParts == RELIEVO_SOLID_MOST_PARTS);
 static_assert(solids::kMostPieces == RELIEVO_SOLID_MOST_PIECES);
+static_assert(textures::kReflexTexels == RELIEVO_SOLID_CREASE);
+static_assert(textures::kLeastReflexTexels == RELIEVO_SOLID_LEAST_REFLEX);
 static_assert(static_cast<int>(solids::SolidTexturing::Box) == RELIEVO_TEXTURING_BOX);
 
 struct PartBlock {
@@ -83,7 +85,7 @@ PartBlock partBlock(const solids::SolidPart& part, const PartLook& look) {
     const textures::ShapeMap& shape = *part.solid.shape;
     const double width = shape.width();
     return {glm::mat4(part.fromWhole),
-            glm::vec4(part.windowMinimum, 0.0),
+            glm::vec4(part.windowMinimum, width * textures::creaseDepth(shape)),
             glm::vec4(part.windowMaximum, 1.0 / width),
             glm::vec4(part.solid.axis, width * part.solid.extension, width * shape.slack),
             glm::ivec4(static_cast<int>(part.solid.profile.pieces.size()), wrapNumber(shape.wrap),

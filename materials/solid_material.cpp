@@ -56,6 +56,13 @@ std::vector<std::string_view> SolidMaterial::files() const {
     return result;
 }
 
+bool SolidMaterial::isCreased() const {
+    return technique_->capabilities.creases &&
+           std::ranges::any_of(compound.parts, [](const solids::SolidPart& part) {
+               return part.solid.shape->isCreased();
+           });
+}
+
 std::vector<shaders::Define> SolidMaterial::defines() const {
     std::vector<shaders::Define> result{
         {"RELIEVO_SOLID", "1"}, {"RELIEVO_SOLID_PARTS", std::to_string(compound.parts.size())}};
@@ -65,6 +72,8 @@ std::vector<shaders::Define> SolidMaterial::defines() const {
             {fmt::format("RELIEVO_SOLID_KIND{}", k),
              std::to_string(isRevolution ? RELIEVO_SOLID_REVOLUTION : RELIEVO_SOLID_EXTRUSION)});
     }
+    if (isCreased())
+        result.push_back({"RELIEVO_SOLID_CREASED", "1"});
     if (isInBox())
         result.push_back({"RELIEVO_SHAPE_BOX", "1"});
     if (shadowsItself)
@@ -97,7 +106,8 @@ GLuint SolidMaterial::bindSearch(GLuint program, GLuint firstUnit) const {
     for (std::size_t k = 0; k < compound.parts.size(); ++k) {
         const solids::Solid& solid = compound.parts[k].solid;
         const ShapeTextures& shape =
-            shapes_->get(solid.shape, solid.kind == solids::SolidKind::Revolution);
+            shapes_->get(solid.shape, solid.kind == solids::SolidKind::Revolution,
+                         technique_->capabilities.creases);
         bindTexture(fmt::format("relievoSolidDistances{}", k), shape.distances);
         bindTexture(fmt::format("relievoSolidGradients{}", k), shape.gradients);
     }

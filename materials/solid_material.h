@@ -53,6 +53,8 @@ class SolidMaterial {
 
     [[nodiscard]] const SolidTechnique& technique() const noexcept { return *technique_; }
     [[nodiscard]] bool isInBox() const noexcept { return boxFromWhole.has_value(); }
+    /// Whether its search reads creases of a part.
+    [[nodiscard]] bool isCreased() const;
 
     /// The parts. Profiles, extensions, axes, windows and placements may change, also shapes, but
     /// not the number and the kinds of the parts.

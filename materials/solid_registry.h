@@ -23,6 +23,7 @@ struct SolidCapabilities {
     bool revolution = false;
     ShownProfiles profiles = ShownProfiles::Upright;  ///< of extrusions
     bool compounds = false;                           ///< several parts
+    bool creases = false;  ///< sharp corners; others see the distances alone
 };
 
 /// One search of solids. Adding one is a GLSL file in shaders/relievo/solids/, which defines

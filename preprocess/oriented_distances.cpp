@@ -12,10 +12,6 @@
 namespace relievo::preprocess {
 namespace {
 
-// What floats are off in the choice of the nearest segment, of the distance and of its length.
-constexpr double kRelativeError = 0x1p-21;
-constexpr double kAbsoluteError = 1e-6;  // texels
-
 // As many as have room in one register of AVX-512 in double precision.
 constexpr int kEight = 8;
 using Doubles = double __attribute__((vector_size(64)));

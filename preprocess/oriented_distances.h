@@ -19,9 +19,14 @@ struct OrientedTexels {
 /// coverage that contradicts a texel's centre to 1/2.
 void orientTexels(const OrientedTexels& texels);
 
-/// Takes from distances of either sign, in texels, what measureBoundaryDistances may be off where
-/// segments are at most `longest` texels long, and rounds them towards 0, as floats in tile widths
-/// of `width` texels. Returns the most that true ones may be farther from 0, in tile widths.
+/// What distances that measureBoundaryDistances found may be off: so much of the distance and the
+/// length of the longest segment together, and so many texels.
+inline constexpr double kMeasuredRelativeError = 0x1p-21;
+inline constexpr double kMeasuredAbsoluteError = 1e-6;
+
+/// Takes from distances of either sign, in texels, what they may be off where segments are at most
+/// `longest` texels long, and rounds them towards 0, as floats in tile widths of `width` texels.
+/// Returns the most that true ones may be farther from 0, in tile widths.
 double makeDistancesSure(std::span<float> distances, int width, double longest);
 
 /// A distance ≥ 0 in texels as a float in tile widths that is nowhere too large.

@@ -27,7 +27,7 @@ inline void makeSure(float* distances, double width, double longest, Doubles& mo
     std::memcpy(&given, distances, sizeof(given));
     const Doubles values = __builtin_convertvector(given, Doubles);
     const Doubles measured = values < 0.0 ? -values : values;
-    const Doubles off = kRelativeError * (measured + longest) + kAbsoluteError;
+    const Doubles off = kMeasuredRelativeError * (measured + longest) + kMeasuredAbsoluteError;
     const Doubles left = measured - off;
     const Doubles length = (left > 0.0 ? left : Doubles{}) / width;
     EightFloats sure = __builtin_convertvector(length, EightFloats);

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
+#include <set>
+#include <unordered_map>
 #include <utility>
+
+#include "preprocess/outline_corners.h"
+#include "preprocess/step_field.h"
+#include "textures/shape_map.h"
 
 namespace relievo::preprocess {
 namespace {
@@ -15,222 +20,40 @@ namespace {
 using textures::Plane;
 using textures::WrapMode;
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-// Corners that are further apart along the boundary do not meet in a cell.
-constexpr double kFarApart = 12.0;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-glm::dvec2 alongOf(const BoundarySegment& segment) {
-    return segment.end - segment.start;
-}
-
-bool isTurn(const BoundarySegment& before, const BoundarySegment& behind) {
-    const glm::dvec2 a = alongOf(before);
-    const glm::dvec2 b = alongOf(behind);
-    return glm::dot(a, b) < kCornerCosine * glm::length(a) * glm::length(b);
-}
-
-// Which segment goes on where one ends: mostly the next, but paths are closed, and parts of them
-// may have been left out.
-class Paths {
-  public:
-    explicit Paths(const std::vector<BoundarySegment>& segments)
-        : segments_(segments), next_(segments.size(), kNone), before_(segments.size(), kNone) {
-        for (std::size_t k = 0; k + 1 < segments.size(); ++k)
-            if (segments[k].end == segments[k + 1].start)
-                join(k, k + 1);
-        std::map<std::pair<double, double>, std::size_t> starts;
-        for (std::size_t k = 0; k < segments.size(); ++k)
-            if (before_[k] == kNone)
-                starts.try_emplace({segments[k].start.x, segments[k].start.y}, k);
-        for (std::size_t k = 0; k < segments.size(); ++k) {
-            if (next_[k] != kNone)
-                continue;
-            const auto found = starts.find({segments[k].end.x, segments[k].end.y});
-            if (found != starts.end() && before_[found->second] == kNone)
-                join(k, found->second);
-        }
-    }
-
-    [[nodiscard]] std::size_t next(std::size_t k) const { return next_[k]; }
-    [[nodiscard]] std::size_t before(std::size_t k) const { return before_[k]; }
-    [[nodiscard]] const BoundarySegment& segment(std::size_t k) const { return segments_[k]; }
-    // Whether there is a corner where segment k starts.
-    [[nodiscard]] bool isCorner(std::size_t k) const {
-        return before_[k] != kNone && isTurn(segments_[before_[k]], segments_[k]);
-    }
-
-  private:
-    void join(std::size_t a, std::size_t b) {
-        next_[a] = b;
-        before_[b] = a;
-    }
-    const std::vector<BoundarySegment>& segments_;
-    std::vector<std::size_t> next_;
-    std::vector<std::size_t> before_;
-};
-
-// The boundary before (or behind) a corner, up to the next one, continued straight at both ends.
-class Side {
-  public:
-    Side(const Paths& paths, std::size_t first, bool isForward) {
-        double length = 0.0;
-        for (std::size_t k = first; k != kNone && length < 2.0 * kFarApart;) {
-            segments_.push_back(paths.segment(k));
-            length += glm::length(alongOf(paths.segment(k)));
-            const std::size_t next = isForward ? paths.next(k) : paths.before(k);
-            if (next == first || (next != kNone && paths.isCorner(isForward ? next : k)))
-                break;
-            k = next;
-        }
-        length_ = length;
-        (isForward ? segments_.front().start : segments_.front().end) -= continuation(isForward, 0);
-        (isForward ? segments_.back().end : segments_.back().start) +=
-            continuation(isForward, segments_.size() - 1);
-    }
-
-    // To the next corner, or more than kFarApart.
-    [[nodiscard]] double length() const { return length_; }
-
-    // < 0 inside.
-    [[nodiscard]] double distance(const glm::dvec2& place) const {
-        double nearest = std::numeric_limits<double>::infinity();
-        double result = 0.0;
-        for (const BoundarySegment& segment : segments_) {
-            const glm::dvec2 along = alongOf(segment);
-            const glm::dvec2 off = place - segment.start;
-            const double share =
-                std::clamp(glm::dot(off, along) / glm::dot(along, along), 0.0, 1.0);
-            const glm::dvec2 away = off - share * along;
-            const double square = glm::dot(away, away);
-            if (square >= nearest)
-                continue;
-            nearest = square;
-            result = -std::copysign(std::sqrt(square), cross(along, off));
-        }
-        return result;
-    }
-
-  private:
-    // Straight on in the direction from the corner.
-    [[nodiscard]] glm::dvec2 continuation(bool isForward, std::size_t k) const {
-        const glm::dvec2 along = glm::normalize(alongOf(segments_[k]));
-        return (isForward ? 1.0 : -1.0) * 4.0 * kFarApart * along;
-    }
-    std::vector<BoundarySegment> segments_;
-    double length_ = 0.0;
-};
-
-struct Corner {
-    glm::dvec2 place{0.0};
-    bool isConvex = true;
-    double reach = 0.0;  // how far away samples may change
-    Side before;
-    Side behind;
-    bool isSwapped = false;  // A is the side behind
-
-    // f and e. One side, A, is where e < 0 (or e > K) and the other where it is not.
-    struct Values {
-        double f;
-        double e;
-    };
-    [[nodiscard]] Values at(const glm::dvec2& where) const {
-        const double a = (isSwapped ? behind : before).distance(where);
-        const double b = (isSwapped ? before : behind).distance(where);
-        if (isConvex)
-            return {std::max(a, b), std::clamp(b - a, -kCreaseLimit, kCreaseLimit)};
-        return {std::min(a, b), std::clamp(kCreaseLimit + b - a, 0.0, 2.0 * kCreaseLimit)};
-    }
-};
-
-Corner cornerAt(const Paths& paths, std::size_t k) {
-    const glm::dvec2 in = glm::normalize(alongOf(paths.segment(paths.before(k))));
-    const glm::dvec2 out = glm::normalize(alongOf(paths.segment(k)));
-    // Cells up to 1.5 texels beside one side must not be nearer to the other.
-    const double turn = std::acos(std::clamp(glm::dot(in, out), -1.0, 1.0));
-    const double reach = 1.5 + 1.5 * std::tan(0.5 * turn);
-    return {paths.segment(k).start, cross(in, out) > 0.0, std::min(reach, kFarApart),
-            Side(paths, paths.before(k), false), Side(paths, k, true)};
-}
-
-// Neighbouring corners take the side between them for the same one of A and B, or the creases of
-// the one would end in cells of the other. Where they are far apart it does not matter, so that
-// each group of near ones is settled on its own, the same in all copies of a tile.
-std::vector<Corner> cornersOf(const Paths& paths, std::size_t count) {
-    std::vector<Corner> corners;
-    std::vector<std::size_t> number(count, kNone);  // of the corner where a segment starts
-    std::vector<std::size_t> starts;
-    for (std::size_t k = 0; k < count; ++k)
-        if (paths.isCorner(k)) {
-            number[k] = corners.size();
-            starts.push_back(k);
-            corners.push_back(cornerAt(paths, k));
-        }
-    const auto nextCorner = [&](std::size_t corner) {
-        std::size_t k = paths.next(starts[corner]);
-        while (k != kNone && number[k] == kNone && k != starts[corner])
-            k = paths.next(k);
-        return k == kNone ? kNone : number[k];
-    };
-    std::vector<bool> isSettled(corners.size());
-    const auto settleFrom = [&](std::size_t corner) {
-        while (!isSettled[corner]) {
-            isSettled[corner] = true;
-            if (corners[corner].behind.length() > kFarApart)
-                return;
-            const std::size_t next = nextCorner(corner);
-            if (next == kNone || isSettled[next])
-                return;
-            corners[next].isSwapped = !corners[corner].isSwapped;
-            corner = next;
-        }
-    };
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        if (corners[corner].before.length() > kFarApart)
-            settleFrom(corner);
-    // Small closed paths: from their first corner from above.
-    std::vector<std::size_t> left;
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
-        if (!isSettled[corner])
-            left.push_back(corner);
-    std::sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(corners[a].place.y, corners[a].place.x) <
-               std::pair(corners[b].place.y, corners[b].place.x);
-    });
-    for (const std::size_t corner : left)
-        settleFrom(corner);
-    return corners;
-}
+// How far creases are followed from their corner, in texels: as far as its sides are known.
+constexpr double kLongestCrease = kSideLength / 1.5;
 
 // A sample that a corner changes.
 struct Sample {
-    int i;
-    int j;
-    double share;  // how far away from the corner, of its reach
-    Corner::Values values;
-    bool isCreased;  // e is needed, not only f
+    glm::ivec2 texel;
+    double away;  // from the corner, as a share of its reach
+    double distance;
+    double code;  // in texels; 0: only the distance changes
 };
 
 // Signed distances of a map and of what continues it.
 struct Distances {
     const Plane& plane;
     WrapMode wrap;
+    [[nodiscard]] bool isInTile(int i, int j) const {
+        return i >= 0 && j >= 0 && i < plane.width && j < plane.height;
+    }
+    [[nodiscard]] glm::ivec2 texel(int i, int j) const {
+        return {textures::wrapIndex(i, plane.width, wrap),
+                textures::wrapIndex(j, plane.height, wrap)};
+    }
     [[nodiscard]] double at(int i, int j) const {
-        return plane.at(textures::wrapIndex(i, plane.width, wrap),
-                        textures::wrapIndex(j, plane.height, wrap));
+        const glm::ivec2 here = texel(i, j);
+        return plane.at(here.x, here.y);
     }
 };
 
 // Whether the cell between samples (i,j) and (i+1,j+1) may have the outline in it, and a part of it
 // that the corner knows of: its centre and one of its samples are then no further from it than half
 // the diagonal.
-bool mayHaveOutline(const Corner& corner, const Distances& distances, int i, int j) {
+bool mayHaveOutline(const OutlineCorner& corner, const Distances& distances, int i, int j) {
     constexpr double kHalfDiagonal = 0.70711;
-    if (std::abs(corner.at(glm::dvec2(i + 1, j + 1)).f) > kHalfDiagonal)
+    if (std::abs(corner.distance(glm::dvec2(i + 1, j + 1))) > kHalfDiagonal)
         return false;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
@@ -239,22 +62,22 @@ bool mayHaveOutline(const Corner& corner, const Distances& distances, int i, int
     return false;
 }
 
-// Whether the cell has samples on both sides of the crease.
-bool isCreased(const Corner& corner, int i, int j) {
-    const double level = corner.isConvex ? 0.0 : kCreaseLimit;
-    int above = 0;
+// Whether the cell between samples (i,j) and (i+1,j+1) has some on both sides of the crease.
+bool isCreased(const OutlineCorner& corner, int i, int j) {
+    int onA = 0;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
-            above += corner.at(glm::dvec2(x + 0.5, y + 0.5)).e > level ? 1 : 0;
-    return above % 4 != 0;
+            onA += corner.isOnA(glm::dvec2(x + 0.5, y + 0.5)) ? 1 : 0;
+    return onA % 4 != 0;
 }
 
 // What the cells around a sample want of it.
 struct Need {
-    bool ofValue = false;   // f as the corner has it
-    bool ofCrease = false;  // e as well
+    bool ofValue = false;   // the distance as the corner has it
+    bool ofCrease = false;  // a code as well
 };
-Need needOf(const Corner& corner, const Distances& distances, int i, int j) {
+
+Need needOf(const OutlineCorner& corner, const Distances& distances, int i, int j) {
     Need need;
     for (const int y : {j - 1, j})
         for (const int x : {i - 1, i})
@@ -267,7 +90,7 @@ Need needOf(const Corner& corner, const Distances& distances, int i, int j) {
 
 // Nothing else is near: where the corner is sharp distances are those to its sides, and on the
 // other side of the outline they are nowhere smaller.
-bool agrees(const Corner& corner, double f, double distance) {
+bool agrees(const OutlineCorner& corner, double f, double distance) {
     constexpr double kTolerance = 0.05;
     const double sign = corner.isConvex ? 1.0 : -1.0;
     const double difference = sign * (f - distance);
@@ -275,26 +98,35 @@ bool agrees(const Corner& corner, double f, double distance) {
            (sign * distance < 0.0 ? difference > -kTolerance : sign * f > -kTolerance);
 }
 
+// How far away from a corner samples may change: cells up to 1.5 texels beside one side must not be
+// nearer to the other.
+double reachOf(const OutlineCorner& corner) {
+    return std::min(1.5 + 1.5 * std::tan(0.5 * corner.turn), kFarApart);
+}
+
 // The samples that a corner changes; `isAlone` is false where something else is too near.
-std::vector<Sample> samplesOf(const Corner& corner, const Distances& distances, bool& isAlone) {
-    const int reach = static_cast<int>(std::ceil(corner.reach));
+std::vector<Sample> samplesOf(const OutlineCorner& corner, const Distances& distances,
+                              bool& isAlone) {
+    const double reach = reachOf(corner);
+    const int most = static_cast<int>(std::ceil(reach));
     const int x = static_cast<int>(std::floor(corner.place.x));
     const int y = static_cast<int>(std::floor(corner.place.y));
     std::vector<Sample> samples;
-    for (int j = std::max(0, y - reach); j <= std::min(distances.plane.height - 1, y + reach); ++j)
-        for (int i = std::max(0, x - reach); i <= std::min(distances.plane.width - 1, x + reach);
+    for (int j = std::max(0, y - most); j <= std::min(distances.plane.height - 1, y + most); ++j)
+        for (int i = std::max(0, x - most); i <= std::min(distances.plane.width - 1, x + most);
              ++i) {
             const glm::dvec2 place(i + 0.5, j + 0.5);
-            const double share = glm::distance(place, corner.place) / corner.reach;
-            if (share >= 1.0)
+            const double away = glm::distance(place, corner.place) / reach;
+            if (away >= 1.0)
                 continue;
             const Need need = needOf(corner, distances, i, j);
             if (!need.ofValue)
                 continue;
-            Corner::Values values = corner.at(place);
-            values.e = need.ofCrease ? values.e : 0.0;
-            isAlone = isAlone && agrees(corner, values.f, distances.at(i, j));
-            samples.push_back({i, j, share, values, need.ofCrease});
+            const double distance = corner.distance(place);
+            const double code = need.ofCrease ? corner.code(place) : 0.0;
+            isAlone = isAlone && agrees(corner, distance, distances.at(i, j)) &&
+                      (!corner.isConvex || std::abs(code) < textures::kLeastReflexTexels);
+            samples.push_back({{i, j}, away, distance, code});
         }
     return samples;
 }
@@ -303,111 +135,180 @@ bool isInTile(const glm::dvec2& place, const Plane& plane) {
     return place.x >= 0.0 && place.y >= 0.0 && place.x < plane.width && place.y < plane.height;
 }
 
-// Whether two samples of different corners, `steps` apart, would crease a cell between them that
-// should have none: f is bilinear where e is in [0, K], or on one side of it, and a free sample
-// between has to be 0 beside the ones and K beside the others.
-bool clash(double a, double b, int steps) {
-    const auto [low, high] = std::minmax(a, b);
-    if (steps > 1)
-        return low < 0.0 && high > kCreaseLimit;
-    return (low < 0.0 && high > 0.0) || (low < kCreaseLimit && high > kCreaseLimit);
+// Whether codes of different corners in one cell would crease it, or not let it be continued by its
+// neighbours: those of the two kinds share none.
+bool clash(double a, double b) {
+    const bool isSameKind = (std::abs(a) < textures::kLeastReflexTexels) ==
+                            (std::abs(b) < textures::kLeastReflexTexels);
+    return !isSameKind || a * b < 0.0;
 }
 
-// Writes the samples of one corner after the other, unless they clash with those before.
+// What corners change, one after the other, unless they clash with those before.
 class CreaseMap {
   public:
-    CreaseMap(const Plane& distance, WrapMode wrap)
-        : wrap_(wrap),
-          share_(distance.width, distance.height, 1.0f),
-          creased{distance, Plane(distance.width, distance.height)} {}
+    explicit CreaseMap(const Distances& distances) : distances_(distances) {}
 
-    [[nodiscard]] bool accepts(const std::vector<Sample>& samples) const {
+    // Whether samples of a corner go together with what others have there.
+    [[nodiscard]] bool accepts(std::size_t corner, const std::vector<Sample>& samples) const {
         return std::none_of(samples.begin(), samples.end(),
-                            [&](const Sample& sample) { return clashes(sample); });
+                            [&](const Sample& sample) { return clashes(corner, sample); });
     }
 
-    void write(const std::vector<Sample>& samples) {
+    void write(std::size_t corner, const std::vector<Sample>& samples) {
         for (const Sample& sample : samples) {
-            float& share = share_.at(sample.i, sample.j);
+            const auto [found, isNew] =
+                entries_.try_emplace(indexOf(sample.texel), Entry{corner, sample});
             // Where a crease is needed it stays; of two corners that need none the nearer counts.
-            const auto needed = static_cast<float>(sample.isCreased ? -1.0 : sample.share);
-            if (needed >= share)
-                continue;
-            share = needed;
-            changed_.emplace_back(sample.i, sample.j);
-            creased.crease.at(sample.i, sample.j) = static_cast<float>(sample.values.e);
-            creased.distance.at(sample.i, sample.j) = static_cast<float>(
-                sample.values.f - std::clamp(sample.values.e, 0.0, kCreaseLimit));
+            if (!isNew && found->second.sample.code == 0.0 &&
+                (sample.code != 0.0 || sample.away < found->second.sample.away))
+                found->second = {corner, sample};
         }
     }
 
-    void raiseAround();
+    // Distances and codes, and for each corner what its samples allow of steps.
+    void writeTo(CreasedDistances& creased, std::vector<std::vector<StepBound>>& bounds) const;
 
   private:
-    template <class Visit>
-    void visitAround(const glm::ivec2& place, int steps, const Visit& visit) const {
-        for (int j = place.y - steps; j <= place.y + steps; ++j)
-            for (int i = place.x - steps; i <= place.x + steps; ++i)
-                visit(glm::ivec2(textures::wrapIndex(i, share_.width, wrap_),
-                                 textures::wrapIndex(j, share_.height, wrap_)),
-                      std::max(std::abs(i - place.x), std::abs(j - place.y)));
-    }
-    [[nodiscard]] bool clashes(const Sample& sample) const {
-        if (!sample.isCreased)
-            return false;
-        bool result = false;
-        visitAround({sample.i, sample.j}, 2, [&](const glm::ivec2& other, int steps) {
-            if (share_.at(other.x, other.y) >= 0.0f)
-                return;
-            const double e = creased.crease.at(other.x, other.y);
-            result = result || (steps == 0 ? std::abs(e - sample.values.e) > 1e-3
-                                           : clash(e, sample.values.e, steps));
-        });
-        return result;
-    }
+    struct Entry {
+        std::size_t corner;
+        Sample sample;
+    };
 
-    WrapMode wrap_;
-    Plane share_;  // of the corner that has a sample; −1 where it has a crease
-    std::vector<glm::ivec2> changed_;
+    [[nodiscard]] std::size_t indexOf(const glm::ivec2& texel) const {
+        return distances_.plane.index(texel.x, texel.y);
+    }
+    [[nodiscard]] bool clashes(std::size_t corner, const Sample& sample) const;
 
-  public:
-    CreasedDistances creased;
+    const Distances& distances_;
+    std::unordered_map<std::size_t, Entry> entries_;
 };
 
-// Around creases where e crosses K other samples must have e = K, which leaves f as it is.
-void CreaseMap::raiseAround() {
-    const auto limit = static_cast<float>(kCreaseLimit);
-    const Plane crease = creased.crease;
-    for (const glm::ivec2& high : changed_) {
-        if (crease.at(high.x, high.y) <= limit)
-            continue;
-        visitAround(high, 1, [&](const glm::ivec2& place, int) {
-            float& e = creased.crease.at(place.x, place.y);
-            if (e != 0.0f || share_.at(place.x, place.y) < 0.0f)
-                return;
-            e = limit;
-            creased.distance.at(place.x, place.y) -= limit;
-        });
-    }
+bool CreaseMap::clashes(std::size_t corner, const Sample& sample) const {
+    if (sample.code == 0.0)
+        return false;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const glm::ivec2 place = distances_.texel(sample.texel.x + x, sample.texel.y + y);
+            const auto found = entries_.find(indexOf(place));
+            if (found == entries_.end() || found->second.corner == corner ||
+                found->second.sample.code == 0.0)
+                continue;
+            const double code = found->second.sample.code;
+            if (place == sample.texel ? std::abs(code - sample.code) > 1e-3
+                                      : clash(code, sample.code))
+                return true;
+        }
+    return false;
 }
+
+void CreaseMap::writeTo(CreasedDistances& creased,
+                        std::vector<std::vector<StepBound>>& bounds) const {
+    std::map<std::size_t, std::vector<StepBound>> byCorner;
+    for (const auto& [index, entry] : entries_) {
+        const Sample& sample = entry.sample;
+        creased.distance.texels[index] = static_cast<float>(sample.distance);
+        creased.code.texels[index] = static_cast<float>(sample.code);
+        // A convex crease comes down to the mean of A and B.
+        const double c = std::abs(sample.code);
+        const double most = sample.distance - (c < textures::kLeastReflexTexels ? 0.5 * c : 0.0);
+        if (most < static_cast<double>(distances_.plane.texels[index]))
+            byCorner[entry.corner].push_back({sample.texel, most});
+    }
+    for (auto& [corner, group] : byCorner)
+        bounds.push_back(std::move(group));
+}
+
+// Follows the crease outside of a reflex corner from cell to cell away from the outline, to where
+// the nearest point of the outline is on neither side any more, or another crease comes.
+class CreaseTrail {
+  public:
+    CreaseTrail(const OutlineCorner& corner, std::size_t number, const Distances& distances,
+                CreaseMap& map)
+        : corner_(corner), number_(number), distances_(distances), map_(map) {}
+
+    void follow() {
+        const glm::ivec2 first(glm::floor(corner_.place - 0.5));
+        visitAround(first);
+        while (!open_.empty()) {
+            const glm::ivec2 cell = open_.back();
+            open_.pop_back();
+            if (extendTo(cell))
+                visitAround(cell);
+        }
+    }
+
+  private:
+    void visitAround(const glm::ivec2& cell) {
+        for (int j = cell.y - 1; j <= cell.y + 1; ++j)
+            for (int i = cell.x - 1; i <= cell.x + 1; ++i)
+                if (seen_.insert({i, j}).second)
+                    open_.emplace_back(i, j);
+    }
+
+    // Whether it has come to a cell, or through it: the one of the corner has its crease already.
+    bool extendTo(const glm::ivec2& cell) {
+        constexpr double kAtCorner = 2.0;
+        const double away = glm::distance(glm::dvec2(cell) + 1.0, corner_.place);
+        if (away > kLongestCrease || !isCreased(corner_, cell.x, cell.y))
+            return false;
+        std::vector<Sample> samples;
+        for (const int y : {cell.y, cell.y + 1})
+            for (const int x : {cell.x, cell.x + 1}) {
+                const glm::dvec2 place(x + 0.5, y + 0.5);
+                const double distance = distances_.at(x, y);
+                if (distances_.wrap != WrapMode::Repeat && !distances_.isInTile(x, y))
+                    return false;
+                // Along the crease both sides are nearest, as far as distances tell.
+                if (std::abs(corner_.distance(place) - distance) > kTolerance)
+                    return away < kAtCorner;
+                samples.push_back({distances_.texel(x, y), 0.0, distance, corner_.code(place)});
+            }
+        if (!map_.accepts(number_, samples))
+            return false;
+        map_.write(number_, samples);
+        return true;
+    }
+
+    static constexpr double kTolerance = 0.01;
+
+    const OutlineCorner& corner_;
+    std::size_t number_;
+    const Distances& distances_;
+    CreaseMap& map_;
+    std::set<std::pair<int, int>> seen_;
+    std::vector<glm::ivec2> open_;
+};
 
 }  // namespace
 
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, const Plane& distance,
-                               WrapMode wrap) {
-    CreaseMap map(distance, wrap);
-    const Paths paths(boundary);
-    for (const Corner& corner : cornersOf(paths, boundary.size())) {
+                               WrapMode wrap, double leastTurn) {
+    const Distances distances{distance, wrap};
+    const auto [corners, crowded] = outlineCorners(boundary, leastTurn);
+    CreaseMap map(distances);
+    CreasedDistances result{distance, Plane(distance.width, distance.height), distance};
+    std::vector<std::size_t> reflex;  // sharp ones of the tile
+    for (const glm::dvec2& place : crowded)
+        result.roundCorners += isInTile(place, distance) ? 1 : 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
         bool isAlone = true;
-        const std::vector<Sample> samples = samplesOf(corner, {distance, wrap}, isAlone);
-        const bool isSharp = isAlone && map.accepts(samples);
+        const std::vector<Sample> samples = samplesOf(corners[k], distances, isAlone);
+        const bool isSharp = isAlone && map.accepts(k, samples);
         if (isSharp)
-            map.write(samples);
-        if (isInTile(corner.place, distance))
-            ++(isSharp ? map.creased.sharpCorners : map.creased.roundCorners);
+            map.write(k, samples);
+        if (!isInTile(corners[k].place, distance))
+            continue;
+        ++(isSharp ? result.sharpCorners : result.roundCorners);
+        // Inside of convex corners creases would lower the steps along all of their sides.
+        if (isSharp && !corners[k].isConvex)
+            reflex.push_back(k);
     }
-    map.raiseAround();
-    return std::move(map.creased);
+    for (const std::size_t k : reflex)
+        CreaseTrail(corners[k], k, distances, map).follow();
+    std::vector<std::vector<StepBound>> bounds;
+    map.writeTo(result, bounds);
+    lowerToBounds(result.step, wrap, bounds);
+    return result;
 }
 
 }  // namespace relievo::preprocess

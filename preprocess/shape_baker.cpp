@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
 #include <utility>
 #include <variant>
@@ -20,6 +21,7 @@
 #include "preprocess/distance_transform.h"
 #include "preprocess/inside_mask.h"
 #include "preprocess/oriented_distances.h"
+#include "preprocess/outline_creases.h"
 #include "preprocess/plane_shape.h"
 #include "preprocess/prewitt_gradient.h"
 #include "textures/version.h"
@@ -64,16 +66,76 @@ Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan
             &coverage};
 }
 
-// Rounds distances to the format. Returns the most that it takes.
-double roundToFormat(Plane& distance, textures::StorageFormat format) {
+// The greatest result of work(range of texels, greatest so far).
+template <typename Work>
+double greatestOver(const Plane& plane, const Work& work) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, plane.texels.size(), kTexelsAtOnce), 0.0, work,
+        [](double a, double b) { return std::max(a, b); });
+}
+
+// makeDistancesSure for a whole map.
+double makeSure(Plane& distance) {
+    const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
+        const auto part = std::span(distance.texels).subspan(texels.begin(), texels.size());
+        return std::max(most, makeDistancesSure(part, distance.width, kLongestPiece));
+    };
+    return greatestOver(distance, work);
+}
+
+// A step that nothing lowers, until the distance is sure: it is that.
+constexpr float kNotLowered = std::numeric_limits<float>::infinity();
+
+// The same for creases in texels, under distances that are sure already: steps are lowered.
+double makeCreasesSure(ShapeMap& map) {
+    const int width = map.width();
+    const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
+        for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
+            map.creases.code.texels[t] /= static_cast<float>(width);
+            float& step = map.creases.step.texels[t];
+            if (step == kNotLowered) {
+                step = map.distance.texels[t];
+                continue;
+            }
+            const double measured = step;
+            const double off = kMeasuredRelativeError * (std::abs(measured) + kLongestPiece) +
+                               kMeasuredAbsoluteError;
+            step = std::min(static_cast<float>((measured - 3.0 * off) / width), mostStep(map, t));
+            most = std::max(most, (measured + off) / width - static_cast<double>(step));
+        }
+        return most;
+    };
+    return greatestOver(map.creases.step, work);
+}
+
+// Rounds a channel to the format. Returns the most that it changes.
+double roundToFormat(Plane& plane, const char* channel, textures::StorageFormat format) {
     if (format == textures::StorageFormat::Float)
         return 0.0;
-    const std::vector<float> before = distance.texels;
-    textures::storeInPlace(distance, "distance", format);
+    const std::vector<float> before = plane.texels;
+    textures::storeInPlace(plane, channel, format);
     double most = 0.0;
     for (std::size_t t = 0; t < before.size(); ++t)
-        most = std::max(most, std::abs(static_cast<double>(before[t]) - distance.texels[t]));
+        most = std::max(most, std::abs(static_cast<double>(before[t]) - plane.texels[t]));
     return most;
+}
+
+// Rounds distances and creases to the format, with steps still under both.
+void roundToFormat(ShapeMap& map, textures::StorageFormat format) {
+    const double distances = roundToFormat(map.distance, "distance", format);
+    if (!map.isCreased()) {
+        map.slack += distances;
+        return;
+    }
+    roundToFormat(map.creases.code, "crease", format);
+    const std::vector<float> before = map.creases.step.texels;
+    for (std::size_t t = 0; t < before.size(); ++t)
+        map.creases.step.texels[t] = std::min(before[t], mostStep(map, t));
+    textures::storeInPlace(map.creases.step, "step", format);
+    double steps = 0.0;
+    for (std::size_t t = 0; t < before.size(); ++t)
+        steps = std::max(steps, static_cast<double>(before[t]) - map.creases.step.texels[t]);
+    map.slack += steps;
 }
 
 double unlimited(const Sampled& shape) {
@@ -107,9 +169,7 @@ void setUnsigned(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
         }
         return most;
     };
-    map.slack = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, map.distance.texels.size(), kTexelsAtOnce), 0.0, work,
-        [](double a, double b) { return std::max(a, b); });
+    map.slack = greatestOver(map.distance, work);
 }
 
 // How much of a texel is inside a straight outline at `distance` (texels, > 0 outside) from its
@@ -141,6 +201,20 @@ void cover(const Sampled& shape, const BoundaryDistances& distances, std::size_t
         covered[k] = halfPlaneCoverage(shape.inside[t] != 0 ? -distance : distance,
                                        distances.awayX.texels[t], distances.awayY.texels[t]);
     }
+}
+
+// Sharpens the corners of distances in texels.
+void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
+    CreasedDistances found =
+        creaseCorners(shape.boundary, map.distance, plan.wrap,
+                      shape.coverage != nullptr ? kCornerOfBitmap : kCornerOfDrawing);
+    if (found.sharpCorners == 0)
+        return;
+    for (std::size_t t = 0; t < found.step.texels.size(); ++t)
+        if (found.step.texels[t] == found.distance.texels[t] && found.code.texels[t] == 0.0f)
+            found.step.texels[t] = kNotLowered;
+    map.distance = std::move(found.distance);
+    map.creases = {std::move(found.code), std::move(found.step)};
 }
 
 Plane binaryShape(const Sampled& shape) {
@@ -184,7 +258,7 @@ ShapeMap measureOutline(const Sampled& shape, const ShapePlan& plan,
                                     rowsOf(map.shape.texels)};
         cover(shape, distances, start, texels.shape);
         orientTexels(texels);
-        if (plan.isSigned)
+        if (plan.isSigned && !plan.hasCreases())
             farther[static_cast<std::size_t>(first)] =
                 makeDistancesSure(texels.distance, shape.width, kLongestPiece);
         if (advance)
@@ -194,10 +268,16 @@ ShapeMap measureOutline(const Sampled& shape, const ShapePlan& plan,
     map.distance = std::move(found.distance);
     map.gradientX = std::move(found.awayX);
     map.gradientY = std::move(found.awayY);
-    if (plan.isSigned)
-        map.slack = std::ranges::max(farther);
-    else
+    if (!plan.isSigned) {
         setUnsigned(shape, plan, map);
+    } else if (plan.hasCreases()) {  // of distances that are not rounded yet
+        crease(shape, plan, map);
+        map.slack = makeSure(map.distance);
+        if (map.isCreased())
+            map.slack += makeCreasesSure(map);
+    } else {
+        map.slack = std::ranges::max(farther);
+    }
     return map;
 }
 
@@ -229,7 +309,7 @@ ShapeMap bakeShape(const ShapeSource& source, const ShapePlan& plan,
     ShapeMap map = measure(shape, plan, advance);
     map.wrap = plan.wrap;
     map.isSigned = plan.isSigned;
-    map.slack += roundToFormat(map.distance, plan.format);
+    roundToFormat(map, plan.format);
     if (plan.gradient != 0)
         prewittGradient(map.distance, map.wrap, plan.gradient, map.gradientX, map.gradientY);
     return map;
@@ -240,8 +320,9 @@ ShapeMap bakeShapeFile(const std::string& name, const ShapePlan& plan) {
 }
 
 std::string optionWords(const ShapePlan& plan) {
-    return fmt::format("shape inside={} gradient={} signed={:d} format={}",
+    return fmt::format("shape inside={} gradient={} signed={:d} corners={} format={}",
                        plan.isWhiteInside ? "white" : "black", gradientName(plan), plan.isSigned,
+                       plan.hasCreases() ? "sharp" : "round",
                        textures::storageFormatName(plan.format));
 }
 

@@ -27,11 +27,12 @@ using commands::UsageError;
 using textures::MapSet;
 using textures::ShapeMap;
 
-constexpr std::size_t kChannels = 4;
 constexpr double kProgramBytes = 150e6;
 // Coverage, centres, four channels, squared distances or a copy of the distances, and the outline:
 // that of a picture of noise takes more than all these together.
 constexpr double kTexelBytes = 48.0;
+// Creases: their two channels, as they are baked and as they are written.
+constexpr double kCreaseBytes = 16.0;
 constexpr double kNoiseBytes = 200.0;
 
 bool exists(const std::string& file) {
@@ -53,6 +54,9 @@ ShapePlan planOf(const ShapeArguments& arguments) {
     plan.gradient = arguments.gradient == "exact" ? 0 : arguments.gradient.front() - '0';
     plan.channel = arguments.channel;
     plan.format = outputFormat(arguments.output, arguments.format);
+    plan.hasSharpCorners = arguments.corners != "round";
+    if (arguments.corners == "sharp" && !plan.hasCreases())
+        throw UsageError("--corners sharp: is for signed distances in .exr files");
     if (!arguments.size.empty()) {
         const MapSize size = parseSize(arguments.size, kLargestShape);
         plan.width = size.width;
@@ -76,9 +80,11 @@ double outlineShare(const textures::Plane& coverage) {
     return static_cast<double>(changes) / static_cast<double>(coverage.texels.size());
 }
 
-void requireRoom(const ShapeArguments& arguments, int width, int height, double bytesPerTexel) {
-    textures::requireReadableSize(arguments.output, width, height, kChannels);
-    const double need = kProgramBytes + bytesPerTexel * width * height;
+void requireRoom(const ShapeArguments& arguments, const ShapePlan& plan, int width, int height,
+                 double outlineBytes) {
+    textures::requireReadableSize(arguments.output, width, height, plan.hasCreases() ? 6 : 4);
+    const double bytes = kTexelBytes + (plan.hasCreases() ? kCreaseBytes : 0.0) + outlineBytes;
+    const double need = kProgramBytes + bytes * width * height;
     const auto available = static_cast<double>(availableMemory());
     if (need > available)
         throw textures::InputError(fmt::format(
@@ -89,10 +95,10 @@ void requireRoom(const ShapeArguments& arguments, int width, int height, double 
 ShapeSource readSource(const ShapeArguments& arguments, const ShapePlan& plan) {
     const Stage stage("read");
     ShapeSource source = readShapeSource(arguments.source, plan, commands::note);
-    double bytes = kTexelBytes;
+    double outlineBytes = 0.0;
     std::string what = "bitmap";
     if (const auto* coverage = std::get_if<textures::Plane>(&source.content)) {
-        bytes += kNoiseBytes * outlineShare(*coverage);
+        outlineBytes = kNoiseBytes * outlineShare(*coverage);
     } else {
         const auto& drawing = std::get<outlines::Drawing>(source.content);
         std::size_t points = 0;
@@ -101,7 +107,7 @@ ShapeSource readSource(const ShapeArguments& arguments, const ShapePlan& plan) {
                 points += contour.size();
         what = fmt::format("{} shapes of {} points", drawing.shapes.size(), points);
     }
-    requireRoom(arguments, source.width, source.height, bytes);
+    requireRoom(arguments, plan, source.width, source.height, outlineBytes);
     stage.done(fmt::format("{}, {}, {}×{}, {}", arguments.source, what, source.width, source.height,
                            arguments.wrap));
     return source;
@@ -184,6 +190,10 @@ CLI::App* addShapeCommand(CLI::App& app, ShapeArguments& arguments) {
                       "Distances of both signs, 0 on the outline, below 0 inside [this]");
     command->add_flag("--unsigned", arguments.isUnsigned,
                       "Distances to the nearest texel inside and 0 there, as in the thesis");
+    add("--corners", arguments.corners,
+        "sharp: two more channels keep corners that bilinear distances round off; round: none "
+        "[sharp in .exr, when signed]")
+        ->check(CLI::IsMember({"sharp", "round"}));
     add("--channel", arguments.channel, "Channel of an image, by number or name [Y, R, luminance]");
     add("--format", arguments.format, "float, half (.exr), u16, u8 (.png, .tif) [float, u16]")
         ->check(CLI::IsMember({"float", "half", "u16", "u8"}));
@@ -211,7 +221,7 @@ void runShapeCommand(const ShapeArguments& arguments) {
     const auto threads = limitThreads(arguments.threads);
     if (!isDrawing(arguments.source)) {
         const textures::ImageReader header(arguments.source);
-        requireRoom(arguments, header.info().width, header.info().height, kTexelBytes);
+        requireRoom(arguments, plan, header.info().width, header.info().height, 0.0);
     }
     const ShapeSource source = readSource(arguments, plan);
     if (!arguments.force && isUpToDate(arguments, plan, source)) {

@@ -16,8 +16,9 @@ struct ShapeArguments {
     std::string wrap = "repeat";
     std::string gradient = "exact";
     std::string channel;
-    std::string format;  ///< empty: that of the extension
-    std::string size;    ///< empty: 512 wide
+    std::string corners;  ///< empty: sharp where the file can hold them
+    std::string format;   ///< empty: that of the extension
+    std::string size;     ///< empty: 512 wide
     bool isSigned = false;
     bool isUnsigned = false;
     bool force = false;

@@ -15,6 +15,8 @@ struct ShapePlan {
     /// Distances of both signs, 0 on the outline; else those to the nearest texel whose centre is
     /// inside, and 0 inside.
     bool isSigned = true;
+    /// Whether corners stay sharp, by textures::ShapeCreases: of signed maps in Float or Half.
+    bool hasSharpCorners = true;
     /// 0: exact directions from the nearest point of the outline; else the size of Prewitt's
     /// kernel: 3, 5, 7 or 9.
     int gradient = 0;
@@ -25,6 +27,10 @@ struct ShapePlan {
     std::string channel;  ///< of bitmaps, as in HeightImageOptions
     /// What the file will hold: distances are rounded to it, and slack says by how much.
     textures::StorageFormat format = textures::StorageFormat::Float;
+
+    [[nodiscard]] bool hasCreases() const {
+        return hasSharpCorners && isSigned && !textures::isPackedFormat(format);
+    }
 };
 
 }  // namespace relievo::preprocess

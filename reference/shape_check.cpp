@@ -46,15 +46,16 @@ struct Tally {
     }
 };
 
-// The distances as a relief: what is below its surface at the depth `offset` is in the solid.
+// The distances that steps go by as a relief: what is below its surface at the depth `offset` is in
+// the solid.
 struct Subject {
     const ShapeMap& shape;
     DepthMap relief;
     double least;  // offset
 
-    explicit Subject(const ShapeMap& map) : shape(map), relief{map.distance, map.wrap}, least(0.0) {
+    explicit Subject(const ShapeMap& map) : shape(map), relief{map.steps(), map.wrap}, least(0.0) {
         if (map.isSigned)
-            least = *std::ranges::min_element(map.distance.texels);
+            least = *std::ranges::min_element(relief.depth.texels);
     }
     [[nodiscard]] glm::dvec2 size() const { return {shape.width(), shape.height()}; }
 };
@@ -87,7 +88,7 @@ std::optional<Heading> headingByGradient(const Subject& subject, const glm::dvec
             const auto row = std::llround(guess.y) + dj;
             const glm::dvec2 to = glm::dvec2(column, row) - texels;
             const double length = glm::length(to) / shape.width();
-            const double fall = distance - static_cast<double>(shape.at(column, row));
+            const double fall = distance - static_cast<double>(subject.relief.at(column, row));
             if (length > 0.0 && fall > steepest * length) {
                 steepest = fall / length;
                 best =
@@ -126,7 +127,8 @@ std::optional<double> drawOffset(const Subject& subject, double distance, const 
 std::optional<ShapeViolation> drawStep(const Subject& subject, RayNumbers numbers) {
     const ShapeMap& shape = subject.shape;
     const glm::dvec2 place = drawStart(subject, numbers);
-    const double distance = textures::sampleBilinear(shape.distance, place.x, place.y, shape.wrap);
+    const double distance =
+        textures::sampleBilinear(subject.relief.depth, place.x, place.y, shape.wrap);
     const Heading heading = drawDirection(subject, place, distance, numbers);
     const std::optional<double> offset = drawOffset(subject, distance, heading, numbers);
     if (!offset)

@@ -11,8 +11,9 @@
 namespace relievo::reference {
 
 /// The step, in texels, that a search may take in any direction along a shape map where the
-/// bilinear distance is more than the offset of the solid and the map's slack by `free` > 0
-/// (texels): the points nearer than max(free/√2, √(free² − ½)) are outside {d ≤ offset}.
+/// bilinear distance (with creases: that of ShapeMap::steps()) is more than the offset of the solid
+/// and the map's slack by `free` > 0 (texels): the points nearer than max(free/√2, √(free² − ½))
+/// are outside {d ≤ offset}.
 ///
 /// Why: the samples are true distances but for the slack ε, so that s(x) − s(y) ≤ |x − y| + ε
 /// between any two centres (each is off towards 0, by at most ε). The bilinear distance at P is the
@@ -22,7 +23,8 @@ namespace relievo::reference {
 /// d(P) − d(Q) ≤ ε + E|X − Y|, and E|X − Y| ≤ E|X − Y|₁ = |P − Q|₁ ≤ √2·|P − Q|, since all these
 /// numbers have the sign of their mean; and E|X − Y|² = |P − Q|² + variance, which is at most ¼ for
 /// each coordinate. Under clamp places outside the tile are moved to its border, which brings no
-/// two of them farther apart.
+/// two of them farther apart. With creases the samples are those of ShapeCreases::step, whose
+/// interpolation is nowhere above the distance.
 double safeStep(double free) noexcept;
 
 /// How to check a map.

@@ -5,13 +5,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "reference/bilinear_cell.h"
-#include "solids/line_roots.h"
-
 namespace relievo::solids {
 namespace {
 
 using reference::BilinearCell;
+using reference::ShapeCell;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -99,22 +97,22 @@ void ExtrusionWalk::step() noexcept {
 }
 
 // How far the ray is free from the entry on: all outside or all inside.
-double ExtrusionWalk::freeUntil(double distance, double clearance) const noexcept {
-    const double radius = freeSpace_->radius(distance, lowestOffset_, highestOffset_);
+double ExtrusionWalk::freeUntil(double step) const noexcept {
+    const double radius = freeSpace_->radius(step, lowestOffset_, highestOffset_);
     const double whole =
         radius > 0.0 ? (texelSpeed_ > 0.0 ? entry_ + radius / texelSpeed_ : kInfinity) : entry_;
     // Or in this piece of the profile.
-    const double sign = clearance > 0.0 ? 1.0 : -1.0;
+    const double outside = step - piece().offset(z(entry_));
+    const double inside = -(outside + freeSpace_->creaseDepth());
+    const double sign = outside > 0.0 ? 1.0 : -1.0;
     const double inPiece = freeSpace_->duration(
-        distance, sign * clearance, sign * piece().slope() * span_.direction.z, texelSpeed_);
+        step, std::max(outside, inside), sign * piece().slope() * span_.direction.z, texelSpeed_);
     return std::max(whole, std::min(entry_ + inPiece, pieceExit_));
 }
 
 // Over free space, if that leads out of the cell.
-bool ExtrusionWalk::jump(double distance, double clearance) noexcept {
-    if (freeSpace_ == nullptr)
-        return false;
-    const double target = freeUntil(distance, clearance);
+bool ExtrusionWalk::jump(double step) noexcept {
+    const double target = freeUntil(step);
     if (!(target > exit_))
         return false;
     entry_ = std::min(target, span_.end);
@@ -161,36 +159,78 @@ void ExtrusionWalk::finish() noexcept {
         toggle(span_.end, SolidFace::Cap, flatOutward(span_.exitAxis));
 }
 
-void ExtrusionWalk::walkOn() {
-    const textures::Plane& d = solid_->shape->distance;
-    const BilinearCell cell(d.at(columns_.low(), rows_.low()), d.at(columns_.high(), rows_.low()),
-                            d.at(columns_.low(), rows_.high()),
-                            d.at(columns_.high(), rows_.high()));
-    const glm::dvec2 place(columns_.local(entry_), rows_.local(entry_));
+// d − o of a field of the cell from t on.
+Quadratic ExtrusionWalk::clearance(const BilinearCell& field, double t) const {
     const glm::dvec2 speed(columns_.speed(), rows_.speed());
-    const double distance = cell.depth(place);
-    const Quadratic clearance{
-        distance - piece().offset(z(entry_)),
-        glm::dot(cell.gradient(place), speed) - piece().slope() * span_.direction.z,
-        cell.twist * speed.x * speed.y};
-    if (clearance.beginsInside() != isInside_) {
-        const SolidFace face = borderFace(clearance.constant);
-        toggle(entry_, face, outwardAt(face, cell, entry_));
+    return {field.depth(place(t)) - piece().offset(z(t)),
+            glm::dot(field.gradient(place(t)), speed) - piece().slope() * span_.direction.z,
+            field.twist * speed.x * speed.y};
+}
+
+// What is different from what was before the cell.
+void ExtrusionWalk::enter(const ShapeCell& cell) {
+    const BilinearCell& field = cell.at(place(entry_));
+    const Quadratic here = clearance(field, entry_);
+    if (here.beginsInside() == isInside_)
+        return;
+    const SolidFace face = borderFace(here.constant);
+    toggle(entry_, face, outwardAt(face, field, entry_));
+}
+
+bool ExtrusionWalk::jumpFrom(const ShapeCell& cell) {
+    if (freeSpace_ == nullptr)
+        return false;
+    if (!solid_->shape->isCreased())
+        return jump(cell.a.depth(place(entry_)));
+    return jump(reference::stepCell(*solid_->shape, columns_.low(), columns_.high(), rows_.low(),
+                                    rows_.high())
+                    .depth(place(entry_)));
+}
+
+// Between creases, where one field is the distance.
+void ExtrusionWalk::cross(const BilinearCell& field, double from, double to) {
+    const Quadratic here = clearance(field, from);
+    if (here.beginsInside() != isInside_)  // two fields disagree by a rounding
+        toggle(from, SolidFace::Wall, outwardAt(SolidFace::Wall, field, from));
+    if (field.minimum > std::max(piece().topOffset, piece().bottomOffset))
+        return;
+    const SignChanges changes = signChanges(here, to - from);
+    for (int k = 0; k < changes.count; ++k) {
+        const double t = from + changes.places[static_cast<std::size_t>(k)];
+        toggle(t, SolidFace::Wall, outwardAt(SolidFace::Wall, field, t));
     }
-    if (jump(distance, clearance.constant)) {
+}
+
+void ExtrusionWalk::cross(const ShapeCell& cell) {
+    if (!cell.isCreased()) {
+        cross(cell.a, entry_, exit_);
+        return;
+    }
+    const Quadratic a = clearance(cell.a, entry_);
+    const Quadratic b = clearance(cell.b, entry_);
+    const SignChanges creases = signChanges(
+        {a.constant - b.constant, a.linear - b.linear, a.quadratic - b.quadratic}, exit_ - entry_);
+    double from = entry_;
+    for (int k = 0; k <= creases.count; ++k) {
+        const double to =
+            k < creases.count ? entry_ + creases.places[static_cast<std::size_t>(k)] : exit_;
+        cross(cell.at(place(0.5 * (from + to))), from, to);
+        from = to;
+    }
+}
+
+void ExtrusionWalk::walkOn() {
+    const ShapeCell cell = reference::shapeCell(*solid_->shape, columns_.low(), columns_.high(),
+                                                rows_.low(), rows_.high());
+    enter(cell);
+    if (jumpFrom(cell)) {
         if (cost_ != nullptr)
             ++cost_->jumps;
         if (entry_ >= span_.end)
             finish();
         return;
     }
-    if (cell.minimum <= std::max(piece().topOffset, piece().bottomOffset)) {
-        const SignChanges changes = signChanges(clearance, exit_ - entry_);
-        for (int k = 0; k < changes.count; ++k) {
-            const double t = entry_ + changes.places[static_cast<std::size_t>(k)];
-            toggle(t, SolidFace::Wall, outwardAt(SolidFace::Wall, cell, t));
-        }
-    }
+    cross(cell);
     if (cost_ != nullptr)
         ++cost_->cells;
     if (exit_ >= span_.end)
@@ -200,10 +240,10 @@ void ExtrusionWalk::walkOn() {
 }
 
 // Of the crossing that is about to happen at t in the current cell.
-glm::dvec3 ExtrusionWalk::outwardAt(SolidFace face, const BilinearCell& cell, double t) const {
+glm::dvec3 ExtrusionWalk::outwardAt(SolidFace face, const BilinearCell& field, double t) const {
     switch (face) {
         case SolidFace::Wall: {
-            const glm::dvec2 perTexel = cell.gradient({columns_.local(t), rows_.local(t)});
+            const glm::dvec2 perTexel = field.gradient(place(t));
             return {perTexel.x * solid_->shape->width(), perTexel.y * solid_->shape->height(),
                     -piece().slope()};
         }

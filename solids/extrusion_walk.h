@@ -5,14 +5,17 @@
 #include <optional>
 
 #include "reference/cell_walk.h"
+#include "reference/shape_cell.h"
 #include "solids/free_space.h"
+#include "solids/line_roots.h"
 #include "solids/solid.h"
 #include "solids/solid_crossing.h"
 
 namespace relievo::solids {
 
 /// The crossings of a ray with an extrusion, in order: an exact walk over the bilinear cells of the
-/// distance and the straight pieces of the profile, in each of which d − o is a quadratic of t.
+/// distance and the straight pieces of the profile, in each of which d − o is a quadratic of t, or
+/// one up to a crease and another behind it.
 /// Where `freeSpace` is given the walk jumps over what is all outside or all inside; that changes
 /// its cost only.
 class ExtrusionWalk {
@@ -33,13 +36,21 @@ class ExtrusionWalk {
     void finish() noexcept;
     void findExit() noexcept;
     void step() noexcept;
-    [[nodiscard]] double freeUntil(double distance, double clearance) const noexcept;
-    [[nodiscard]] bool jump(double distance, double clearance) noexcept;
+    [[nodiscard]] double freeUntil(double step) const noexcept;
+    [[nodiscard]] bool jump(double step) noexcept;
+    [[nodiscard]] Quadratic clearance(const reference::BilinearCell& field, double t) const;
+    [[nodiscard]] bool jumpFrom(const reference::ShapeCell& cell);
+    void enter(const reference::ShapeCell& cell);
+    void cross(const reference::ShapeCell& cell);
+    void cross(const reference::BilinearCell& field, double from, double to);
+    [[nodiscard]] glm::dvec2 place(double t) const noexcept {
+        return {columns_.local(t), rows_.local(t)};
+    }
     void stepPiece() noexcept;
     void findPieceExit() noexcept;
     void toggle(double t, SolidFace face, const glm::dvec3& outward) noexcept;
     [[nodiscard]] SolidFace borderFace(double value) const noexcept;
-    [[nodiscard]] glm::dvec3 outwardAt(SolidFace face, const reference::BilinearCell& cell,
+    [[nodiscard]] glm::dvec3 outwardAt(SolidFace face, const reference::BilinearCell& field,
                                        double t) const;
     [[nodiscard]] glm::dvec3 flatOutward(int axis) const noexcept;
     [[nodiscard]] double z(double t) const noexcept {
@@ -68,7 +79,8 @@ class ExtrusionWalk {
     bool stepAtBorder_ = false;  // the offset jumps at the border of the piece
     bool isInside_ = false;
     bool isDone_ = false;
-    std::array<SolidCrossing, 4> pending_;  // one at the entry of a cell, two in it, one at the end
+    // Of a cell: one at its entry and at each crease, two between, one at the end.
+    std::array<SolidCrossing, 10> pending_;
     std::size_t firstPending_ = 0;
     std::size_t pendingCount_ = 0;
 };

@@ -33,10 +33,12 @@ double largestStep(const Plane& distance, textures::WrapMode wrap) {
 }  // namespace
 
 FreeSpace::FreeSpace(const textures::ShapeMap& map, textures::WrapMode wrap, bool isDistance)
-    : texels_(map.width()), slack_(map.slack * map.width()) {
-    const double steepest = largestStep(map.distance, wrap) * texels_;
+    : texels_(map.width()),
+      slack_(map.slack * map.width()),
+      creaseDepth_(textures::creaseDepth(map)) {
+    const double steepest = largestStep(map.steps(), wrap) * texels_;
     double farthest = 0.0;
-    for (const float d : map.distance.texels)
+    for (const float d : map.steps().texels)
         farthest = std::max(farthest, std::abs(static_cast<double>(d)) * texels_);
     isDistance_ = isDistance && steepest <= 1.0 + slack_ + 2.0 * kFloatRounding * farthest;
     // Of a constant map the reach has no end, but the square of a number.
@@ -53,7 +55,7 @@ std::array<ReachTerm, 3> FreeSpace::terms(double distance) const noexcept {
 }
 
 double FreeSpace::radius(double distance, double low, double high) const noexcept {
-    const double clear = std::max(distance - high, low - distance) * texels_;
+    const double clear = std::max(distance - high, low - (distance + creaseDepth_)) * texels_;
     double square = 0.0;
     for (const ReachTerm& term : terms(distance)) {
         const double sure = std::max(0.0, clear - term.uncertainty);

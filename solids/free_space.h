@@ -14,8 +14,9 @@ struct ReachTerm {
     double uncertainty = 0.0;
 };
 
-/// How far from a place the bilinear distance of a map keeps clear of an offset: as far as the
-/// farthest of three bounds.
+/// How far from a place the distance of a map keeps clear of an offset: as far as the farthest of
+/// three bounds of d, the interpolation of ShapeMap::steps(). Where there are creases the distance
+/// itself is nowhere below d, and above it by at most creaseDepth.
 ///
 /// Neighbouring texels differ by λ texels at most; that is measured, of whatever a map holds. Then
 /// d changes by no more than √2·λ per texel. Samples of a distance differ by no more than their
@@ -32,8 +33,8 @@ class FreeSpace {
 
     /// The bounds near a place where d is `distance` (tile widths).
     [[nodiscard]] std::array<ReachTerm, 3> terms(double distance) const noexcept;
-    /// The radius in texels within which d is not in [low, high], where it is `distance` in the
-    /// middle; 0 when that is in it. All in tile widths.
+    /// The radius in texels within which the distance of the map is not in [low, high], where d is
+    /// `distance` in the middle; 0 when that cannot be told. All in tile widths.
     [[nodiscard]] double radius(double distance, double low, double high) const noexcept;
 
     /// How long d keeps clear of an offset that it is clear of by `clear` tile widths here, where d
@@ -42,6 +43,8 @@ class FreeSpace {
     [[nodiscard]] double duration(double distance, double clear, double closing,
                                   double speed) const noexcept;
 
+    /// How far a distance may be above d, in tile widths.
+    [[nodiscard]] double creaseDepth() const noexcept { return creaseDepth_; }
     [[nodiscard]] bool isDistance() const noexcept { return isDistance_; }
     /// Of a tile width.
     [[nodiscard]] double texels() const noexcept { return texels_; }
@@ -49,6 +52,7 @@ class FreeSpace {
   private:
     double texels_;
     double slack_;  // texels
+    double creaseDepth_;
     double measuredFactor_ = 0.0;
     bool isDistance_ = false;
 };

@@ -107,11 +107,10 @@ DistanceBounds extrusionBounds(const SolidPart& part, const FreeSpace& freeSpace
                                const TileMetric& metric, const glm::dvec3& p) {
     const Box box = windowOf(part);
     const Scale scale{metric, part.solid.shape->aspect()};
-    const double distance = distanceAt(part.solid, p);
-    return {
-        std::max(scale.toBox(box, p), toProfile(part, freeSpace, metric, box, p, distance, 1.0)),
-        std::min(scale.outOfBox(box, p),
-                 toProfile(part, freeSpace, metric, box, p, distance, -1.0))};
+    const double step = stepAt(part.solid, p);
+    return {std::max(scale.toBox(box, p), toProfile(part, freeSpace, metric, box, p, step, 1.0)),
+            std::min(scale.outOfBox(box, p), toProfile(part, freeSpace, metric, box, p,
+                                                       step + freeSpace.creaseDepth(), -1.0))};
 }
 
 // To what is beyond the 3×3×3 replicas around `centre`, of the window.
@@ -143,12 +142,11 @@ DistanceBounds revolutionBounds(const SolidPart& part, const FreeSpace& freeSpac
         if (isWithoutVolume(replica) && !isWithoutVolume(box))
             continue;  // it touches the window from outside
         const double away = scale.toBox(replica, p);
-        const double distance = sectionDistance(part.solid, tile, p);
+        const double step = sectionStep(part.solid, tile, p);
         const double extension = part.solid.extension;
-        const double clear =
-            std::max(away, texel * freeSpace.radius(distance, extension, extension));
-        bounds.toSolid = std::min(bounds.toSolid, distance > extension ? clear : away);
-        bounds.toOutside = std::min(bounds.toOutside, distance > extension ? away : clear);
+        const double clear = std::max(away, texel * freeSpace.radius(step, extension, extension));
+        bounds.toSolid = std::min(bounds.toSolid, step > extension ? clear : away);
+        bounds.toOutside = std::min(bounds.toOutside, step > extension ? away : clear);
     }
     bounds.toSolid = std::max(bounds.toSolid, scale.toBox(box, p));
     return bounds;

@@ -10,6 +10,7 @@ namespace {
 
 using reference::AxisWalk;
 using reference::BilinearCell;
+using reference::ShapeCell;
 using textures::wrapIndex;
 using textures::WrapMode;
 
@@ -167,19 +168,34 @@ bool RevolutionWalk::jump(double distance) noexcept {
     return true;
 }
 
-SectionCell RevolutionWalk::cellHere() const noexcept {
-    const textures::Plane& d = solid_->shape->distance;
-    const int low = wrapIndex(section_.column, d.width, WrapMode::Clamp);
-    const int high = wrapIndex(section_.column + 1, d.width, WrapMode::Clamp);
-    const AxisWalk& rows = section_.rows;
-    return {BilinearCell(d.at(low, rows.low()), d.at(high, rows.low()), d.at(low, rows.high()),
-                         d.at(high, rows.high())),
+// A field of the cell that the ray is in.
+SectionCell RevolutionWalk::sectionCell(const BilinearCell& field,
+                                        double extension) const noexcept {
+    return {field,
             section_.line,
-            static_cast<double>(d.width),
+            static_cast<double>(solid_->shape->width()),
             section_.column + 0.5,
-            rows.local(0.0),
-            rows.speed(),
-            solid_->extension};
+            section_.rows.local(0.0),
+            section_.rows.speed(),
+            extension};
+}
+
+double RevolutionWalk::stepHere(const ShapeCell& cell) const noexcept {
+    if (!solid_->shape->isCreased())
+        return sectionCell(cell.a, 0.0).value(entry_);
+    const int width = solid_->shape->width();
+    return sectionCell(reference::stepCell(*solid_->shape,
+                                           wrapIndex(section_.column, width, WrapMode::Clamp),
+                                           wrapIndex(section_.column + 1, width, WrapMode::Clamp),
+                                           section_.rows.low(), section_.rows.high()),
+                       0.0)
+        .value(entry_);
+}
+
+// The field that is the distance between two creases.
+const BilinearCell& RevolutionWalk::fieldBetween(const ShapeCell& cell, double from,
+                                                 double to) const noexcept {
+    return cell.isCreased() ? cell.at(sectionCell(cell.a, 0.0).place(0.5 * (from + to))) : cell.a;
 }
 
 glm::dvec3 RevolutionWalk::flatOutward(int axis) const noexcept {
@@ -215,25 +231,48 @@ void RevolutionWalk::toggleAtBorder(const SectionCell& cell) {
         toggle(t, SolidFace::Wall, wallOutward(cell, entry_));
 }
 
+void RevolutionWalk::cross(const SectionCell& cell, double from, double to) {
+    if (cell.isInside(from) != isInside_)  // two fields disagree by a rounding
+        toggle(replicaEntry_ + from, SolidFace::Wall, wallOutward(cell, from));
+    if (cell.cell.minimum > solid_->extension)
+        return;
+    places_.clear();
+    appendSignChanges(cell, from, to, places_);
+    for (const double t : places_)
+        toggle(replicaEntry_ + t, SolidFace::Wall, wallOutward(cell, t));
+}
+
+void RevolutionWalk::cross(const ShapeCell& cell) {
+    creases_.clear();
+    if (cell.isCreased())
+        appendSignChanges(sectionCell(cell.difference(), 0.0), entry_, exit_, creases_);
+    creases_.push_back(exit_);
+    double from = entry_;
+    for (const double to : creases_) {
+        cross(sectionCell(fieldBetween(cell, from, to), solid_->extension), from, to);
+        from = to;
+    }
+}
+
 void RevolutionWalk::walkOn() {
-    const SectionCell cell = cellHere();
-    if (cell.isInside(entry_) != isInside_)
-        toggleAtBorder(cell);
+    const int width = solid_->shape->width();
+    const ShapeCell cell =
+        reference::shapeCell(*solid_->shape, wrapIndex(section_.column, width, WrapMode::Clamp),
+                             wrapIndex(section_.column + 1, width, WrapMode::Clamp),
+                             section_.rows.low(), section_.rows.high());
+    const SectionCell here = sectionCell(fieldBetween(cell, entry_, entry_), solid_->extension);
+    if (here.isInside(entry_) != isInside_)
+        toggleAtBorder(here);
     isAtStart_ = false;
     borderAxis_ = -1;
-    if (jump(cell.value(entry_) + solid_->extension)) {
+    if (jump(stepHere(cell))) {
         if (cost_ != nullptr)
             ++cost_->jumps;
         if (entry_ >= section_.end)
             leaveReplica();
         return;
     }
-    if (cell.cell.minimum <= solid_->extension) {
-        places_.clear();
-        appendSignChanges(cell, entry_, exit_, places_);
-        for (const double t : places_)
-            toggle(replicaEntry_ + t, SolidFace::Wall, wallOutward(cell, t));
-    }
+    cross(cell);
     if (cost_ != nullptr)
         ++cost_->cells;
     if (exit_ >= section_.end)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/cell_walk.h"
+#include "reference/shape_cell.h"
 #include "solids/free_space.h"
 #include "solids/section_roots.h"
 #include "solids/solid.h"
@@ -46,7 +47,14 @@ class RevolutionWalk {
     [[nodiscard]] bool jump(double distance) noexcept;
     [[nodiscard]] double columnExit() const noexcept;
     [[nodiscard]] int columnOf(double radius) const noexcept;
-    [[nodiscard]] SectionCell cellHere() const noexcept;
+    [[nodiscard]] SectionCell sectionCell(const reference::BilinearCell& field,
+                                          double extension) const noexcept;
+    [[nodiscard]] double stepHere(const reference::ShapeCell& cell) const noexcept;
+    [[nodiscard]] const reference::BilinearCell& fieldBetween(const reference::ShapeCell& cell,
+                                                              double from,
+                                                              double to) const noexcept;
+    void cross(const reference::ShapeCell& cell);
+    void cross(const SectionCell& cell, double from, double to);
     void toggle(double t, SolidFace face, const glm::dvec3& outward);
     [[nodiscard]] glm::dvec3 flatOutward(int axis) const noexcept;
     [[nodiscard]] glm::dvec3 wallOutward(const SectionCell& cell, double t) const noexcept;
@@ -66,6 +74,7 @@ class RevolutionWalk {
     double turn_ = 0.0;  // where the ray is closest to the axis
     bool isInside_ = false;
     bool isDone_ = false;
+    std::vector<double> creases_;
     std::vector<double> places_;
     std::vector<SolidCrossing> pending_;
     std::size_t firstPending_ = 0;

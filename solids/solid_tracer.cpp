@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "reference/shape_cell.h"
 #include "solids/part_walk.h"
 #include "textures/input_error.h"
 
@@ -53,11 +54,39 @@ void checkPart(const SolidPart& part, std::size_t index) {
             "has a placement that is not affine and finite, expected a last row of 0, 0, 0, 1");
 }
 
-double bilinear(const textures::Plane& plane, const AxisWalk& column, const AxisWalk& row) {
-    const reference::BilinearCell cell(
-        plane.at(column.low(), row.low()), plane.at(column.high(), row.low()),
-        plane.at(column.low(), row.high()), plane.at(column.high(), row.high()));
-    return cell.depth({column.local(0.0), row.local(0.0)});
+// A place between texel centres of a map.
+struct MapPlace {
+    const textures::ShapeMap& map;
+    AxisWalk column;
+    AxisWalk row;
+
+    [[nodiscard]] glm::dvec2 local() const { return {column.local(0.0), row.local(0.0)}; }
+    [[nodiscard]] double distance() const {
+        return reference::shapeCell(map, column.low(), column.high(), row.low(), row.high())
+            .distance(local());
+    }
+    [[nodiscard]] double step() const {
+        return reference::stepCell(map, column.low(), column.high(), row.low(), row.high())
+            .depth(local());
+    }
+};
+
+MapPlace placeInShape(const Solid& solid, const glm::dvec3& place) {
+    const textures::ShapeMap& map = *solid.shape;
+    return {map,
+            {place.x * map.width() - 0.5, 0.0, map.width(), map.wrap},
+            {place.y * map.height() - 0.5, 0.0, map.height(), map.wrap}};
+}
+
+MapPlace placeInSection(const Solid& solid, const glm::dvec3& tile, const glm::dvec3& place) {
+    const textures::ShapeMap& map = *solid.shape;
+    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
+    const bool isUpsideDown =
+        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
+    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
+    return {map,
+            {std::hypot(radial.x, radial.y) * map.width() - 0.5, 0.0, map.width(), WrapMode::Clamp},
+            {z * map.height() - 0.5, 0.0, map.height(), WrapMode::Clamp}};
 }
 
 // The parts of a compound along a ray, from event to event.
@@ -141,22 +170,21 @@ bool joined(const Compound& compound, const std::vector<char>& isInside) noexcep
 }
 
 double sectionDistance(const Solid& solid, const glm::dvec3& tile, const glm::dvec3& place) {
-    const textures::Plane& d = solid.shape->distance;
-    const glm::dvec2 radial = glm::dvec2(place - tile) - solid.axis;
-    const bool isUpsideDown =
-        solid.shape->wrap == WrapMode::Mirror && std::fmod(tile.z, 2.0) != 0.0;
-    const double z = isUpsideDown ? 1.0 - (place.z - tile.z) : place.z - tile.z;
-    return bilinear(d,
-                    {std::hypot(radial.x, radial.y) * d.width - 0.5, 0.0, d.width, WrapMode::Clamp},
-                    {z * d.height - 0.5, 0.0, d.height, WrapMode::Clamp});
+    return placeInSection(solid, tile, place).distance();
+}
+
+double sectionStep(const Solid& solid, const glm::dvec3& tile, const glm::dvec3& place) {
+    return placeInSection(solid, tile, place).step();
 }
 
 double distanceAt(const Solid& solid, const glm::dvec3& place) {
     if (solid.kind == SolidKind::Revolution)
         return sectionDistance(solid, glm::floor(place), place);
-    const textures::ShapeMap& map = *solid.shape;
-    return bilinear(map.distance, {place.x * map.width() - 0.5, 0.0, map.width(), map.wrap},
-                    {place.y * map.height() - 0.5, 0.0, map.height(), map.wrap});
+    return placeInShape(solid, place).distance();
+}
+
+double stepAt(const Solid& extrusion, const glm::dvec3& place) {
+    return placeInShape(extrusion, place).step();
 }
 
 bool contains(const Solid& solid, const glm::dvec3& place) {

@@ -104,4 +104,9 @@ class SolidTracer {
 [[nodiscard]] double sectionDistance(const Solid& solid, const glm::dvec3& tile,
                                      const glm::dvec3& place);
 
+/// What steps go by at the places of distanceAt (of extrusions) and sectionDistance.
+[[nodiscard]] double stepAt(const Solid& extrusion, const glm::dvec3& place);
+[[nodiscard]] double sectionStep(const Solid& solid, const glm::dvec3& tile,
+                                 const glm::dvec3& place);
+
 }  // namespace relievo::solids

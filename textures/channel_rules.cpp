@@ -16,20 +16,20 @@ constexpr ChannelRule kSigned{Rounding::Nearest, true, false};
 constexpr ChannelRule kSafe{Rounding::Down, false, false};
 constexpr ChannelRule kCone{Rounding::Down, false, false, true};
 constexpr ChannelRule kSafeUnit{Rounding::Down, false, true};
-// Distances, and −1 where there is none.
+// Distances, and −1 where there is none; and what steps along a shape map go by.
 constexpr ChannelRule kSafeOrNone{Rounding::Down, true, false};
 // Distances to an outline: outside > 0, inside < 0.
 constexpr ChannelRule kDistance{Rounding::TowardsZero, true, false};
 
 /// Cones may have a layer per sector: `cone0`, `roof0`, `ratio0` … follow the rule of the name.
 constexpr std::array kRules{
-    NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},     NamedRule{"dy", kSigned},
-    NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},     NamedRule{"nz", kSigned},
-    NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},    NamedRule{"roof", kSafeUnit},
-    NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe}, NamedRule{"occlusion", kUnit},
-    NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},     NamedRule{"vdm", kSafeOrNone},
-    NamedRule{"gx", kSigned},   NamedRule{"gy", kSigned},     NamedRule{"distance", kDistance},
-    NamedRule{"shape", kUnit},
+    NamedRule{"depth", kUnit},  NamedRule{"dx", kSigned},       NamedRule{"dy", kSigned},
+    NamedRule{"nx", kSigned},   NamedRule{"ny", kSigned},       NamedRule{"nz", kSigned},
+    NamedRule{"cone", kCone},   NamedRule{"ratio", kCone},      NamedRule{"roof", kSafeUnit},
+    NamedRule{"volume", kSafe}, NamedRule{"cylinder", kSafe},   NamedRule{"occlusion", kUnit},
+    NamedRule{"dmin", kUnit},   NamedRule{"dmax", kUnit},       NamedRule{"vdm", kSafeOrNone},
+    NamedRule{"gx", kSigned},   NamedRule{"gy", kSigned},       NamedRule{"distance", kDistance},
+    NamedRule{"shape", kUnit},  NamedRule{"step", kSafeOrNone},
 };
 
 }  // namespace

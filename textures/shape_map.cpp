@@ -48,7 +48,44 @@ double slackOf(const MapSet& maps) {
     return slack;
 }
 
+void requireFinite(const Plane& plane, const char* name) {
+    if (!std::ranges::all_of(plane.texels, [](float value) { return std::isfinite(value); }))
+        throw InputError(fmt::format("the channel '{}' has values that are not finite", name));
+}
+
+ShapeCreases creasesOf(const MapSet& maps) {
+    ShapeCreases creases{channelOf(maps, "crease"), channelOf(maps, "step")};
+    requireFinite(creases.code, "crease");
+    requireFinite(creases.step, "step");
+    return creases;
+}
+
+void requireSafeSteps(const ShapeMap& shape) {
+    for (std::size_t t = 0; t < shape.creases.step.texels.size(); ++t)
+        if (!(shape.creases.step.texels[t] <= mostStep(shape, t)))
+            throw InputError(
+                "the channel 'step' is above what the channels 'distance' and 'crease' allow");
+}
+
 }  // namespace
+
+float mostStep(const ShapeMap& shape, std::size_t texel) noexcept {
+    const float c = std::abs(shape.creases.code.texels[texel]);
+    return shape.distance.texels[texel] - (shape.isReflex(texel) ? 0.0f : 0.5f * c);
+}
+
+double creaseDepth(const ShapeMap& shape) noexcept {
+    double deepest = 0.0;
+    for (std::size_t t = 0; t < shape.creases.code.texels.size(); ++t) {
+        const double c = std::abs(static_cast<double>(shape.creases.code.texels[t]));
+        const double reflex =
+            shape.isReflex(t) ? std::max(0.0, c - kReflexTexels / shape.width()) : 0.0;
+        const double below = static_cast<double>(shape.distance.texels[t]) -
+                             static_cast<double>(shape.creases.step.texels[t]);
+        deepest = std::max(deepest, below + 0.5 * reflex);
+    }
+    return deepest;
+}
 
 ShapeMap shapeMapOf(const MapSet& maps) {
     if (maps.kind != "shape")
@@ -60,8 +97,10 @@ ShapeMap shapeMapOf(const MapSet& maps) {
                    maps.wrap,
                    signOf(maps),
                    slackOf(maps)};
-    if (!std::ranges::all_of(shape.distance.texels, [](float d) { return std::isfinite(d); }))
-        throw InputError("the channel 'distance' has values that are not finite");
+    requireFinite(shape.distance, "distance");
+    if (maps.find("crease") != nullptr)
+        shape.creases = creasesOf(maps);
+    requireSafeSteps(shape);
     return shape;
 }
 
@@ -75,6 +114,10 @@ MapSet mapSetOf(const ShapeMap& shape) {
                      {"gy", shape.gradientY},
                      {"distance", shape.distance},
                      {"shape", shape.shape}};
+    if (shape.isCreased()) {
+        maps.channels.push_back({"crease", shape.creases.code});
+        maps.channels.push_back({"step", shape.creases.step});
+    }
     return maps;
 }
 

@@ -41,6 +41,9 @@
 #define RELIEVO_SOLID_UNION 0
 #define RELIEVO_SOLID_INTERSECTION 1
 #define RELIEVO_SOLID_DIFFERENCE 2
+// What the code of a reflex crease has more than that of a convex one, in texels.
+#define RELIEVO_SOLID_CREASE 16.0
+#define RELIEVO_SOLID_LEAST_REFLEX 12.0
 
 // How pictures are put on a solid: texturing.glsl.
 #define RELIEVO_TEXTURING_PLANAR_Z 0         // along z: (u, v)

@@ -67,7 +67,6 @@ vec3 solidCovector(SolidHit hit) {
             covector = vec3(gradient.x * (radius > 0.0 ? across / radius : vec2(0.0)), aspect * gradient.y);
         } else {
             vec2 gradient = solidGradientAt(hit.part, hit.place.xy);
-            if (solidIsMirrored(hit.part)) gradient *= 1.0 - 2.0 * mod(floor(hit.place.xy), 2.0);
             float width = max(length(gradient), 1e-6);
             covector = vec3(hit.normal.x * gradient * vec2(1.0, aspect) / width,
                             -hit.normal.y);

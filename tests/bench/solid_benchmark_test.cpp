@@ -120,7 +120,7 @@ TEST(SolidBenchmark, ThePrintedSearchRunsOutOfStepsAtLowAngles) {
 TEST(SolidBenchmark, StreaksOfThePrintedSearchAreShaded) {
     const auto context = gl::createContext(gl::Backend::OSMesa);
     viewer::FrameRenderer frames;
-    const solids::SolidPart part = makeSolidModel("basic", makeSolidShape("star", 64));
+    const solids::SolidPart part = makeSolidModel("basic", makeSolidShape("star", 64, false));
     materials::SolidMaterial material(std::make_shared<materials::ShapeTextureCache>(), {{part}},
                                       materials::findSolidTechnique("extrusion-printed"));
     material.setParameter("solid-steps", 2);
@@ -159,7 +159,7 @@ TEST(SolidBenchmark, ReliefsBeginWhereTheSolidDoes) {
         if (!fitsSolid("star", solid))
             continue;
         SCOPED_TRACE(solid);
-        const solids::SolidPart part = makeSolidModel(solid, makeSolidShape("star", 32));
+        const solids::SolidPart part = makeSolidModel(solid, makeSolidShape("star", 32, false));
         const textures::DepthMap relief = reliefOf(part.solid);
         int slopes = 0;
         for (std::size_t k = 0; k < relief.depth.texels.size(); ++k) {

@@ -196,6 +196,12 @@ std::vector<SolidVariant> solidVariants() {
                                                    std::to_string(kinds >> part & 1)});
                     if (isBox)
                         variant.defines.push_back({"RELIEVO_SHAPE_BOX", "1"});
+                    variants.push_back(variant);
+                    // Creases change the search of a kind, not how parts are joined.
+                    if (!technique.capabilities.creases || (parts > 1 && kinds != 2))
+                        continue;
+                    variant.name += "-creased";
+                    variant.defines.push_back({"RELIEVO_SOLID_CREASED", "1"});
                     variants.push_back(std::move(variant));
                 }
     return variants;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <string>
 
@@ -38,11 +39,6 @@ struct Baked {
             distance.texels[k] *= mask[k] != 0 ? -1.0f : 1.0f;
         creased = creaseCorners(shape.boundary, distance, wrap);
     }
-    // f of sample k.
-    [[nodiscard]] double f(std::size_t k) const {
-        return static_cast<double>(creased.distance.texels[k]) +
-               std::clamp(static_cast<double>(creased.crease.texels[k]), 0.0, kCreaseLimit);
-    }
 };
 
 outlines::Contour star(const glm::dvec2& centre, double radius, double turn) {
@@ -60,7 +56,7 @@ TEST(OutlineCreases, SmoothOutlinesAndNoneStayAsTheyAre) {
         const Baked disc({{reference::circleContour({0.45, 0.52}, 0.3)}}, 61, wrap);
         EXPECT_EQ(disc.creased.distance.texels, disc.distance.texels);
         EXPECT_EQ(disc.creased.sharpCorners + disc.creased.roundCorners, 0);
-        for (const float e : disc.creased.crease.texels)
+        for (const float e : disc.creased.code.texels)
             EXPECT_EQ(e, 0.0f);
         EXPECT_EQ(Baked({}, 1, wrap).creased.sharpCorners, 0);
     }
@@ -74,7 +70,7 @@ TEST(OutlineCreases, ChangeDistancesLittleAndToTheSafeSide) {
     int changed = 0;
     for (std::size_t k = 0; k < baked.distance.texels.size(); ++k) {
         const double exact = baked.distance.texels[k];
-        const double f = baked.f(k);
+        const double f = baked.creased.distance.texels[k];
         EXPECT_EQ(f > 0.0, exact > 0.0);
         EXPECT_LT(std::abs(f), std::abs(exact) + 1e-5);
         EXPECT_GT(std::abs(f), std::abs(exact) - std::sqrt(2.0));
@@ -107,13 +103,49 @@ TEST(OutlineCreases, RepeatedTilesFitTogether) {
                 const std::size_t k = whole.distance.index(i, j);
                 const std::size_t same =
                     cut.distance.index((i + shift.x) % kSize, (j + shift.y) % kSize);
-                largest = std::max<double>(largest, std::abs(whole.creased.crease.texels[k] -
-                                                             cut.creased.crease.texels[same]));
+                largest = std::max<double>(largest, std::abs(whole.creased.code.texels[k] -
+                                                             cut.creased.code.texels[same]));
                 largest = std::max<double>(largest, std::abs(whole.creased.distance.texels[k] -
                                                              cut.creased.distance.texels[same]));
             }
         EXPECT_LT(largest, 1e-4);
     }
+}
+
+// The way between two texels of a tile, or to the nearest copy.
+double wayBetween(const glm::ivec2& a, const glm::ivec2& b, int size, WrapMode wrap) {
+    glm::ivec2 way = glm::abs(a - b);
+    if (wrap == WrapMode::Repeat)
+        way = glm::min(way, size - way);
+    return std::hypot(way.x, way.y);
+}
+
+// By how much s of any two samples differs more than they are apart, at most.
+double steepestExcess(const Plane& s, WrapMode wrap) {
+    double excess = 0.0;
+    for (int k = 0; k < s.width * s.height; ++k)
+        for (int l = 0; l < k; ++l) {
+            const glm::ivec2 a(k % s.width, k / s.width);
+            const glm::ivec2 b(l % s.width, l / s.width);
+            const double rise = std::abs(static_cast<double>(s.at(a.x, a.y)) - s.at(b.x, b.y));
+            excess = std::max(excess, rise - wayBetween(a, b, s.width, wrap));
+        }
+    return excess;
+}
+
+// What steps are safe by, with convex and reflex corners and tips, across borders too. f itself is
+// steeper: the check sees it.
+TEST(OutlineCreases, StepDistancesAreNowhereSteeperThanDistances) {
+    constexpr int kSize = 72;
+    for (const WrapMode wrap : kWraps) {
+        const Baked baked({{star({0.51, 0.62}, 0.45, 0.3)}}, kSize, wrap);
+        EXPECT_GT(baked.creased.sharpCorners, 5);
+        EXPECT_LT(steepestExcess(baked.creased.step, wrap), 2e-3);
+        for (std::size_t k = 0; k < baked.distance.texels.size(); ++k)
+            EXPECT_LE(baked.creased.step.texels[k], baked.distance.texels[k] + 1e-6);
+    }
+    const Baked baked({{star({0.51, 0.49}, 0.4, 0.3)}}, kSize, WrapMode::Clamp);
+    EXPECT_GT(steepestExcess(baked.creased.distance, WrapMode::Clamp), 0.1);
 }
 
 // Convex and reflex corners in turn, `side` texels from each other.
@@ -147,8 +179,7 @@ StairErrors errorsOfStairs(double side) {
             measureErrors(field, {contour}, outline, glm::ivec2(1), glm::ivec2(kSize - 1));
         return std::max(errors.away(), errors.atCorners());
     };
-    return {largest({baked.distance, {}, 0.0}),
-            largest({baked.creased.distance, baked.creased.crease, kCreaseLimit}),
+    return {largest({baked.distance, {}}), largest({baked.creased.distance, baked.creased.code}),
             baked.creased.roundCorners};
 }
 

@@ -16,42 +16,40 @@ float clampedAt(const textures::Plane& plane, int i, int j) {
     return plane.at(std::clamp(i, 0, plane.width - 1), std::clamp(j, 0, plane.height - 1));
 }
 
-double bilinear(const textures::Plane& plane, int i, int j, const glm::dvec2& part) {
-    const double top =
-        (1.0 - part.x) * clampedAt(plane, i, j) + part.x * clampedAt(plane, i + 1, j);
-    const double bottom =
-        (1.0 - part.x) * clampedAt(plane, i, j + 1) + part.x * clampedAt(plane, i + 1, j + 1);
-    return (1.0 - part.y) * top + part.y * bottom;
+std::array<double, 4> clampedSamples(const textures::Plane& plane, int i, int j) {
+    return {clampedAt(plane, i, j), clampedAt(plane, i + 1, j), clampedAt(plane, i, j + 1),
+            clampedAt(plane, i + 1, j + 1)};
+}
+
+reference::ShapeCell cellOf(const SampledDistance& field, int i, int j) {
+    return reference::shapeCell(
+        clampedSamples(field.distance, i, j),
+        field.hasCrease() ? clampedSamples(field.crease, i, j) : std::array<double, 4>{}, 1.0);
 }
 
 double inCell(const SampledDistance& field, int i, int j, const glm::dvec2& part) {
-    const double distance = bilinear(field.distance, i, j, part);
-    if (!field.hasCrease())
-        return distance;
-    return distance + std::clamp(bilinear(field.crease, i, j, part), 0.0, field.creaseLimit);
+    return cellOf(field, i, j).distance(part);
 }
 
 // Where the cell's f is 0 on the line from a to b (parts of the cell), which is parallel to an
 // axis.
 void findZeros(const SampledDistance& field, int i, int j, const glm::dvec2& a, const glm::dvec2& b,
                std::vector<glm::dvec2>& points) {
-    std::array<double, 4> breaks{0.0, 1.0, 1.0, 1.0};
+    std::array<double, 2> breaks{0.0, 1.0};
     int count = 1;
-    if (field.hasCrease()) {
-        const double start = bilinear(field.crease, i, j, a);
-        const double end = bilinear(field.crease, i, j, b);
-        for (const double level : {0.0, field.creaseLimit}) {
-            const double t = (level - start) / (end - start);
-            if (t > 0.0 && t < 1.0)
-                breaks[static_cast<std::size_t>(count++)] = t;
-        }
-        std::sort(breaks.begin(), breaks.begin() + count);
+    const reference::ShapeCell cell = cellOf(field, i, j);
+    if (cell.isCreased()) {
+        const double start = cell.a.depth(a) - cell.b.depth(a);
+        const double end = cell.a.depth(b) - cell.b.depth(b);
+        const double t = start / (start - end);
+        if (t > 0.0 && t < 1.0)
+            breaks[static_cast<std::size_t>(count++)] = t;
     }
     for (int k = 0; k < count; ++k) {
         const double from = breaks[static_cast<std::size_t>(k)];
         const double to = k + 1 < count ? breaks[static_cast<std::size_t>(k + 1)] : 1.0;
-        const double start = inCell(field, i, j, a + from * (b - a));
-        const double end = inCell(field, i, j, a + to * (b - a));
+        const double start = cell.distance(a + from * (b - a));
+        const double end = cell.distance(a + to * (b - a));
         if ((start <= 0.0) == (end <= 0.0))
             continue;
         const double t = from + (to - from) * start / (start - end);
@@ -177,26 +175,6 @@ std::vector<glm::dvec2> zeroLevel(const SampledDistance& field, int lines, const
     return points;
 }
 
-double steepest(const SampledDistance& field, const glm::ivec2& low, const glm::ivec2& high) {
-    constexpr int kParts = 8;
-    constexpr double kStep = 1e-4;
-    double result = 0.0;
-    for (int j = low.y; j < high.y; ++j)
-        for (int i = low.x; i < high.x; ++i)
-            for (int y = 0; y <= kParts; ++y)
-                for (int x = 0; x <= kParts; ++x) {
-                    const glm::dvec2 part = glm::clamp(
-                        glm::dvec2(x, y) / static_cast<double>(kParts), kStep, 1.0 - kStep);
-                    const auto slope = [&](const glm::dvec2& step) {
-                        return (inCell(field, i, j, part + step) -
-                                inCell(field, i, j, part - step)) /
-                               (2.0 * kStep);
-                    };
-                    result = std::max(result, std::hypot(slope({kStep, 0.0}), slope({0.0, kStep})));
-                }
-    return result;
-}
-
 ErrorSummary summaryOf(std::vector<double> errors) {
     ErrorSummary summary;
     summary.count = errors.size();
@@ -218,9 +196,9 @@ double OutlineErrors::atCorners() const {
     return std::max(levelAtCorners.largest, outlineAtCorners.largest);
 }
 
-std::vector<OutlineCorner> cornersOf(const std::vector<reference::OutlineContour>& contours) {
+std::vector<ContourCorner> cornersOf(const std::vector<reference::OutlineContour>& contours) {
     const double most = std::cos(5.0 * std::numbers::pi / 180.0);
-    std::vector<OutlineCorner> corners;
+    std::vector<ContourCorner> corners;
     for (std::size_t c = 0; c < contours.size(); ++c) {
         const reference::OutlineContour& contour = contours[c];
         for (std::size_t k = 0; k < contour.size(); ++k) {
@@ -240,7 +218,7 @@ OutlineErrors measureErrors(const SampledDistance& field,
                             const glm::ivec2& high, int lines) {
     constexpr double kCornerReach = 2.0;
     std::vector<glm::dvec2> cornerPlaces;
-    for (const OutlineCorner& corner : cornersOf(contours))
+    for (const ContourCorner& corner : cornersOf(contours))
         cornerPlaces.push_back(corner.place);
     const PointGrid corners(cornerPlaces);
     const auto isAtCorner = [&](const glm::dvec2& p) { return corners.nearest(p) < kCornerReach; };

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "reference/plane_outline.h"
+#include "reference/shape_cell.h"
 #include "textures/plane.h"
 
 namespace relievo::preprocess {
 
-/// A distance on texel centres, in texels: bilinear, or with a second channel that creases it,
-/// f = d + clamp(e, 0, creaseLimit) of the bilinear d and e. Clamped at the borders.
+/// A distance on texel centres, in texels, with codes of textures::ShapeCreases or without. Clamped
+/// at the borders.
 struct SampledDistance {
     textures::Plane distance;
     textures::Plane crease;  ///< without texels: none
-    double creaseLimit = 0.0;
 
     [[nodiscard]] bool hasCrease() const { return !crease.texels.empty(); }
     /// f at a place in texels.
@@ -24,13 +24,9 @@ struct SampledDistance {
 };
 
 /// Points where f = 0 on `lines` level and as many upright lines through every cell with both
-/// coordinates of its first texel in [low, high): exact, as f is piecewise linear on them.
+/// coordinates of its first texel in [low, high): exact, as f is linear on them in pieces.
 std::vector<glm::dvec2> zeroLevel(const SampledDistance& field, int lines, const glm::ivec2& low,
                                   const glm::ivec2& high);
-
-/// The largest slope of f along both axes together, |(∂f/∂x, ∂f/∂y)|, at the corners of cells of
-/// the rectangle and of the parts that creases leave of them (sampled on a grid of 1/8).
-double steepest(const SampledDistance& field, const glm::ivec2& low, const glm::ivec2& high);
 
 /// Errors in texels.
 struct ErrorSummary {
@@ -52,13 +48,13 @@ struct OutlineErrors {
 };
 
 /// A corner of an outline.
-struct OutlineCorner {
+struct ContourCorner {
     std::size_t contour = 0;
     std::size_t vertex = 0;
     glm::dvec2 place{0.0};
 };
 /// Vertices where contours turn by more than 5°.
-std::vector<OutlineCorner> cornersOf(const std::vector<reference::OutlineContour>& contours);
+std::vector<ContourCorner> cornersOf(const std::vector<reference::OutlineContour>& contours);
 
 /// Outline in texels. Corners reach two texels. Only what is within [low, high) counts.
 OutlineErrors measureErrors(const SampledDistance& field,

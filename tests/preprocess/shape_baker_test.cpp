@@ -45,10 +45,12 @@ ShapeSource bitmapSource(Plane coverage) {
     return {std::move(coverage), width, height, ""};
 }
 
+// Of distances alone: what corners make of them is measured in shape_truth_test.
 ShapePlan planOf(WrapMode wrap, StorageFormat format = StorageFormat::Float) {
     ShapePlan plan;
     plan.wrap = wrap;
     plan.format = format;
+    plan.hasSharpCorners = false;
     return plan;
 }
 
@@ -358,9 +360,11 @@ TEST(ShapeBaker, NoStepEntersTheSolid) {
     options.rays = 10000;
     for (const WrapMode wrap : kWraps)
         for (const StorageFormat format : kFormats)
-            for (const bool isSigned : {true, false}) {
+            for (const auto& [isSigned, hasSharpCorners] :
+                 {std::pair{true, true}, {true, false}, {false, false}}) {
                 ShapePlan plan = planOf(wrap, format);
                 plan.isSigned = isSigned;
+                plan.hasSharpCorners = hasSharpCorners;
                 const std::array sources{vectorSource(star, 61, 43),
                                          bitmapSource(exactCoverage(star, 61, 43)),
                                          bitmapSource(blobs(61, 43, 2))};
@@ -371,6 +375,8 @@ TEST(ShapeBaker, NoStepEntersTheSolid) {
                     EXPECT_EQ(report.contradictions, 0u);
                     for (float& distance : map.distance.texels)
                         distance *= 1.1f;
+                    for (float& step : map.creases.step.texels)
+                        step *= 1.1f;
                     EXPECT_GT(reference::checkShape(map, options).violations, 0u);
                 }
             }
@@ -417,7 +423,9 @@ TEST(ShapeBaker, FilesBringBackWhatWasBaked) {
         for (const bool isSigned : {true, false}) {
             ShapePlan plan = planOf(WrapMode::Mirror, format);
             plan.isSigned = isSigned;
+            plan.hasSharpCorners = true;
             const ShapeMap map = bakeShape(vectorSource(star, 61, 43), plan);
+            EXPECT_EQ(map.isCreased(), plan.hasCreases());
             const textures::MapSet maps = shapeFileOf(map, plan, "hash");
             EXPECT_EQ(maps.attributes.at("relievo:gradient"), "exact");
             EXPECT_NEAR(std::stod(maps.attributes.at("relievo:tau")) *
@@ -428,6 +436,12 @@ TEST(ShapeBaker, FilesBringBackWhatWasBaked) {
             // The file's own rounding changes no distance any more.
             EXPECT_EQ(textures::storedValues(again.distance, "distance", format).texels,
                       map.distance.texels);
+            if (map.isCreased()) {
+                EXPECT_EQ(textures::storedValues(again.creases.code, "crease", format).texels,
+                          map.creases.code.texels);
+                EXPECT_EQ(textures::storedValues(again.creases.step, "step", format).texels,
+                          map.creases.step.texels);
+            }
             EXPECT_EQ(again.slack, map.slack);
             EXPECT_EQ(again.isSigned, isSigned);
         }
@@ -435,7 +449,9 @@ TEST(ShapeBaker, FilesBringBackWhatWasBaked) {
 
 TEST(ShapeBaker, DoesNotDependOnThreads) {
     const ShapeSource source = bitmapSource(blobs(123, 77, 1));
-    const auto bake = [&] { return bakeShape(source, planOf(WrapMode::Repeat)); };
+    ShapePlan plan = planOf(WrapMode::Repeat);
+    plan.hasSharpCorners = true;
+    const auto bake = [&] { return bakeShape(source, plan); };
     const ShapeMap all = bake();
     const ShapeMap one = onThreads(1, bake);
     EXPECT_EQ(all.distance.texels, one.distance.texels);

@@ -108,6 +108,28 @@ TEST_F(Shape, DrawingsInAllFormats) {
     EXPECT_NEAR(std::stod(packed.attributes.at("relievo:tau")), 1.0 / 0.375, 0.01);
 }
 
+// Creases are in signed EXR files of outlines with corners, unless they are not wanted, and their
+// steps are found safe.
+TEST_F(Shape, CornersAreSharpWhereTheFileCanHoldThem) {
+    const std::string square =
+        svg("square.svg", "<rect x='9' y='8' width='20' height='21' transform='rotate(9)'/>");
+    for (const std::string format : {"float", "half"}) {
+        const std::string name = "sharp-" + format + ".exr";
+        const ShapeMap sharp = baked(square, name, {"--format", format, "--size", "96x96"});
+        EXPECT_TRUE(sharp.isCreased());
+        const ProcessResult result = bake({"verify", folder.file(name), "--rays", "200000"});
+        EXPECT_EQ(result.exitStatus, 0) << result.errors;
+    }
+    EXPECT_FALSE(baked(square, "round.exr", {"--corners", "round"}).isCreased());
+    EXPECT_FALSE(baked(square, "unsigned.exr", {"--unsigned"}).isCreased());
+    EXPECT_FALSE(baked(square, "packed.png").isCreased());
+    EXPECT_FALSE(baked(write("disc.svg", kDisc), "disc.exr").isCreased());
+    expectRefused({"shape", square, "-o", folder.file("a.png"), "--corners", "sharp"}, 2,
+                  "--corners");
+    expectRefused({"shape", square, "-o", folder.file("a.exr"), "--corners", "sharp", "--unsigned"},
+                  2, "--corners");
+}
+
 TEST_F(Shape, ImagesOfEitherPolarityAndUnsigned) {
     Plane image(48, 32, 1.0f);  // white, with a black square
     for (int j = 10; j < 20; ++j)

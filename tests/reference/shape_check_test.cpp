@@ -69,6 +69,20 @@ TEST(ShapeCheck, TooLargeDistancesAreFoundAndCanBeTracedAgain) {
     }
 }
 
+// With creases steps go by a field of their own, which may be no steeper than distances are.
+TEST(ShapeCheck, OfCreasesStepsAreChecked) {
+    ShapeMap map = discMap(64, 64, 20.0, WrapMode::Clamp);
+    map.creases = {Plane(64, 64), map.distance};
+    EXPECT_EQ(checkShape(map, rays(40000)).violations, 0u);
+    // Steeper distances do not matter then, as long as steps are below them.
+    for (float& distance : map.distance.texels)
+        distance *= distance > 0.0f ? 1.2f : 1.0f;
+    EXPECT_EQ(checkShape(map, rays(40000)).violations, 0u);
+    for (float& step : map.creases.step.texels)
+        step *= step > 0.0f ? 1.2f : 1.0f;
+    EXPECT_GT(checkShape(map, rays(40000)).violations, 0u);
+}
+
 TEST(ShapeCheck, SlackMakesUpForRounding) {
     ShapeMap map = discMap(64, 64, 20.0, WrapMode::Clamp);
     std::mt19937 random(4);

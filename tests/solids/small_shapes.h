@@ -36,14 +36,23 @@ std::shared_ptr<const textures::ShapeMap> randomTexels(int width, int height,
                                                        textures::WrapMode wrap,
                                                        std::mt19937_64& random);
 
+/// The distance to a star of random place and turn, with creases at its corners.
+std::shared_ptr<const textures::ShapeMap> randomStar(int width, int height, textures::WrapMode wrap,
+                                                     std::mt19937_64& random);
+
+/// Independent random texels with creases anywhere, of one kind: no distance to anything.
+std::shared_ptr<const textures::ShapeMap> randomCreases(int width, int height,
+                                                        textures::WrapMode wrap,
+                                                        std::mt19937_64& random);
+
 /// A part with an extrusion in the window [0,1]³.
 SolidPart extrusion(std::shared_ptr<const textures::ShapeMap> shape, Profile profile);
 /// A part with a revolution in the window [0,1]³.
 SolidPart revolution(std::shared_ptr<const textures::ShapeMap> shape, double extension = 0.0,
                      glm::dvec2 axis = glm::dvec2(0.5));
 
-/// d of the solid at a place of its tile space, by textures::sampleBilinear: another way than the
-/// tracer's.
+/// d of the solid at a place of its tile space, by textures::sampleBilinear of the distances of
+/// both sides of a crease: another way than the tracer's.
 double plainDistance(const Solid& solid, const glm::dvec3& place);
 /// d − o(z) or d − e there.
 double plainClearance(const Solid& solid, const glm::dvec3& place);

@@ -87,24 +87,36 @@ void add(BoundCheck& sum, const BoundCheck& one) {
     sum.wrong += one.wrong;
 }
 
-BoundCheck checkAll(double factor, bool isDistance) {
+enum class Maps { Discs, Stars, Texels };
+
+std::shared_ptr<const textures::ShapeMap> randomMap(Maps maps, WrapMode wrap,
+                                                    std::mt19937_64& random) {
+    switch (maps) {
+        case Maps::Discs:
+            return randomDiscs(16, 11, wrap, random);
+        case Maps::Stars:
+            return randomStar(32, 29, wrap, random);
+        case Maps::Texels:
+            break;
+    }
+    return randomTexels(5, 4, wrap, random);
+}
+
+BoundCheck checkAll(double factor, Maps maps) {
     std::mt19937_64 random(20291);
+    const bool isDistance = maps != Maps::Texels;
     BoundCheck sum;
     for (const WrapMode wrap : kWraps)
         for (const double lean : {0.0, 0.4}) {
             for (const Profile& profile : manyProfiles()) {
-                SolidPart part = extrusion(isDistance ? randomDiscs(16, 11, wrap, random)
-                                                      : randomTexels(5, 4, wrap, random),
-                                           profile);
+                SolidPart part = extrusion(randomMap(maps, wrap, random), profile);
                 part.windowMinimum = {-0.5, -0.3, 0.1};
                 part.windowMaximum = {1.5, 1.2, 1.0};
                 add(sum, checkBounds({{part}}, randomPlacement(random, lean), isDistance, factor,
                                      random));
             }
             for (const double extension : {0.0, 0.1, -0.03}) {
-                SolidPart part = revolution(isDistance ? randomDiscs(16, 11, wrap, random)
-                                                       : randomTexels(5, 4, wrap, random),
-                                            extension, {0.4, 0.5});
+                SolidPart part = revolution(randomMap(maps, wrap, random), extension, {0.4, 0.5});
                 part.windowMinimum = {-0.5, -0.3, -0.6};
                 part.windowMaximum = {1.5, 1.2, 1.6};
                 add(sum, checkBounds({{part}}, randomPlacement(random, lean), isDistance, factor,
@@ -115,14 +127,21 @@ BoundCheck checkAll(double factor, bool isDistance) {
 }
 
 TEST(DistanceBounds, HoldForDistances) {
-    const BoundCheck check = checkAll(1.0, true);
+    const BoundCheck check = checkAll(1.0, Maps::Discs);
     EXPECT_EQ(check.wrong, 0);
     EXPECT_GT(check.solid, 1000);
     EXPECT_GT(check.outside, 200);
 }
 
+TEST(DistanceBounds, HoldAroundSharpCorners) {
+    const BoundCheck check = checkAll(1.0, Maps::Stars);
+    EXPECT_EQ(check.wrong, 0);
+    EXPECT_GT(check.solid, 1000);
+    EXPECT_GT(check.outside, 100);
+}
+
 TEST(DistanceBounds, HoldForAnyMap) {
-    const BoundCheck check = checkAll(1.0, false);
+    const BoundCheck check = checkAll(1.0, Maps::Texels);
     EXPECT_EQ(check.wrong, 0);
     EXPECT_GT(check.solid, 1000);
     EXPECT_GT(check.outside, 200);
@@ -130,7 +149,7 @@ TEST(DistanceBounds, HoldForAnyMap) {
 
 TEST(DistanceBounds, CheckCatchesTheGradientTakenForOne) {
     // √2 of a bound is what the distance of a texel would be if d had no slope above 1.
-    EXPECT_GT(checkAll(std::sqrt(2.0), true).wrong, 0);
+    EXPECT_GT(checkAll(std::sqrt(2.0), Maps::Discs).wrong, 0);
 }
 
 TEST(DistanceBounds, HoldForCompounds) {

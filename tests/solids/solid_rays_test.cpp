@@ -127,6 +127,58 @@ TEST(Revolution, OfMapsThatAreNoDistancesAgreesToo) {
     EXPECT_EQ(wrong, 0);
 }
 
+TEST(Extrusion, WithSharpCornersAgreesWithItsImplicitFunction) {
+    std::mt19937_64 random(20268);
+    int creased = 0;
+    int wrong = 0;
+    for (const WrapMode wrap : kWraps)
+        for (const Profile& profile : manyProfiles())
+            for (const auto& [width, height] : {std::pair(32, 32), {23, 17}}) {
+                SolidPart part = extrusion(randomStar(width, height, wrap, random), profile);
+                creased += part.solid.shape->isCreased() ? 1 : 0;
+                part.windowMinimum = {-1.3, -0.4, 0.0};
+                part.windowMaximum = {1.7, 1.2, 0.9};
+                wrong += countWrong(part, 500, 60, true, random);
+            }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(creased, 30);
+}
+
+TEST(Extrusion, OfCreasesAnywhereAgreesToo) {
+    std::mt19937_64 random(20269);
+    int wrong = 0;
+    for (const WrapMode wrap : kWraps)
+        for (const Profile& profile : manyProfiles())
+            for (const auto& [width, height] : {std::pair(1, 1), {1, 5}, {6, 1}, {4, 4}, {7, 3}}) {
+                SolidPart part = extrusion(randomCreases(width, height, wrap, random), profile);
+                part.windowMinimum = {-1.3, -0.4, 0.0};
+                part.windowMaximum = {1.7, 1.2, 1.0};
+                wrong += countWrong(part, 200, 60, false, random);
+            }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(Revolution, WithSharpCornersAndCreasesAnywhereAgrees) {
+    std::mt19937_64 random(20270);
+    int wrong = 0;
+    for (const WrapMode wrap : kWraps)
+        for (const double extension : {0.0, 0.06, -0.03})
+            for (const bool isDistance : {true, false})
+                for (const auto& [width, height] : {std::pair(24, 24), {15, 9}, {6, 1}}) {
+                    SolidPart part =
+                        revolution(isDistance ? randomStar(width, height, WrapMode::Clamp, random)
+                                              : randomCreases(width, height, wrap, random),
+                                   extension, {0.4, 0.6});
+                    auto shape = std::make_shared<textures::ShapeMap>(*part.solid.shape);
+                    shape->wrap = wrap;
+                    part.solid.shape = shape;
+                    part.windowMinimum = {-1.3, -0.4, -0.7};
+                    part.windowMaximum = {1.7, 1.2, 2.2};
+                    wrong += countWrong(part, 300, 60, isDistance, random);
+                }
+    EXPECT_EQ(wrong, 0);
+}
+
 // Lengths doubled: a map of another tool, of which jumps must not believe that it holds distances.
 TEST(Extrusion, OfDoubledDistancesAgreesThoughCalledDistances) {
     std::mt19937_64 random(20265);

@@ -23,6 +23,15 @@ ShapeMap randomShape(bool isSigned) {
             0.0123};
 }
 
+// Codes of both kinds, and steps as high as they may be.
+ShapeMap creasedShape() {
+    ShapeMap shape = randomShape(true);
+    shape.creases = {randomPlane(23, 17, -1.0f, 1.0f, 5), Plane(23, 17)};
+    for (std::size_t t = 0; t < shape.creases.step.texels.size(); ++t)
+        shape.creases.step.texels[t] = mostStep(shape, t);
+    return shape;
+}
+
 class ShapeMapFile : public TemporaryFolder {};
 
 TEST_F(ShapeMapFile, ComesBackInEveryFormat) {
@@ -48,6 +57,32 @@ TEST_F(ShapeMapFile, ComesBackInEveryFormat) {
         }
 }
 
+TEST_F(ShapeMapFile, CreasesComeBackInExr) {
+    const ShapeMap shape = creasedShape();
+    writeMapFile(file("a.exr"), mapSetOf(shape), StorageFormat::Float);
+    const ShapeMap again = shapeMapOf(readMapFile(file("a.exr")));
+    EXPECT_EQ(again.creases.code.texels, shape.creases.code.texels);
+    EXPECT_EQ(again.creases.step.texels, shape.creases.step.texels);
+    EXPECT_EQ(creaseDepth(again), creaseDepth(shape));
+    EXPECT_FALSE(shapeMapOf(mapSetOf(randomShape(true))).isCreased());
+}
+
+// From three quarters of R on a crease is a reflex one, above which the distance is not lowered.
+TEST(ShapeMap, StepsKeepToWhatCreasesAllow) {
+    ShapeMap shape = creasedShape();
+    shape.distance.texels[7] = 0.25f;
+    for (const float sign : {1.0f, -1.0f}) {
+        shape.creases.code.texels[7] = sign * 2.0f / 23.0f;
+        EXPECT_FLOAT_EQ(mostStep(shape, 7), 0.25f - 1.0f / 23.0f);
+        shape.creases.code.texels[7] = sign * 12.5f / 23.0f;
+        EXPECT_EQ(mostStep(shape, 7), 0.25f);
+    }
+    shape.creases.step.texels[7] = 0.25f;
+    EXPECT_NO_THROW(shapeMapOf(mapSetOf(shape)));
+    shape.creases.step.texels[7] = 0.2501f;
+    EXPECT_THROW(shapeMapOf(mapSetOf(shape)), InputError);
+}
+
 TEST(ShapeMap, RefusesWhatMakesNoShape) {
     const MapSet good = mapSetOf(randomShape(true));
     EXPECT_NO_THROW(shapeMapOf(good));
@@ -67,6 +102,14 @@ TEST(ShapeMap, RefusesWhatMakesNoShape) {
     MapSet relief = good;
     relief.kind = "relief";
     EXPECT_THROW(shapeMapOf(relief), InputError);
+    for (const std::size_t c : {4u, 5u}) {
+        MapSet creased = mapSetOf(creasedShape());
+        creased.channels[c].plane.texels[3] = HUGE_VALF;
+        EXPECT_THROW(shapeMapOf(creased), InputError) << creased.channels[c].name;
+    }
+    MapSet half = mapSetOf(creasedShape());
+    half.channels.pop_back();
+    EXPECT_THROW(shapeMapOf(half), InputError);
     MapSet endless = good;
     endless.channels[2].plane.texels[3] = HUGE_VALF;
     EXPECT_THROW(shapeMapOf(endless), InputError);

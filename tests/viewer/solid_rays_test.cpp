@@ -191,14 +191,18 @@ TEST_F(SolidRays, EndWhateverTheyAre) {
     }
 }
 
-struct WrongVariant {
+struct Variant {
     const char* name;
     solids::SolidKind kind;
-    const char* right;
-    const char* wrong;
+    const char* ours;
+    const char* other;
 };
 
-constexpr WrongVariant kWrongVariants[] = {
+constexpr char kLanding[] =
+    "if (!(t > leap.clear) || kSolidOverlap * t - back <= leap.clear) return true;";
+constexpr char kIsland[] = "if (clear < leap.island.x) return clear;";
+
+constexpr Variant kWrongVariants[] = {
     {"steps half as far again as is safe", solids::SolidKind::Extrusion,
      "const float kSolidShort = 1.0 - 1e-5;", "const float kSolidShort = 1.5;"},
     {"steps as far as true distances would allow", solids::SolidKind::Extrusion,
@@ -213,20 +217,25 @@ constexpr WrongVariant kWrongVariants[] = {
     {"straight lines for parabolas", solids::SolidKind::Revolution,
      "return max(2.0 * value / max(parabola, 1e-30), value / max(slopes.z, 1e-30));",
      "return value / max(-slopes.x, 1e-6);"},
+    {"leaps that nothing makes good", solids::SolidKind::Extrusion, kLanding, "return true;"},
+    {"leaps in sections that nothing makes good", solids::SolidKind::Revolution, kLanding,
+     "return true;"},
+    {"leaps on to what is free behind a gap", solids::SolidKind::Extrusion, kIsland,
+     "if (leap.island.x == kReliefBoundless) return clear;"},
 };
 
-gl::Program wrongProgram(const materials::SolidMaterial& material, const WrongVariant& variant) {
+gl::Program variantProgram(const materials::SolidMaterial& material, const Variant& variant) {
     return solidRayProgram(material, [&](std::string text) {
-        const std::size_t place = text.find(variant.right);
+        const std::size_t place = text.find(variant.ours);
         EXPECT_NE(place, std::string::npos) << variant.name;
         if (place != std::string::npos)
-            text.replace(place, std::string(variant.right).size(), variant.wrong);
+            text.replace(place, std::string(variant.ours).size(), variant.other);
         return text;
     });
 }
 
 TEST_F(SolidRays, FindOutWrongSearches) {
-    for (const WrongVariant& variant : kWrongVariants) {
+    for (const Variant& variant : kWrongVariants) {
         std::optional<gl::Program> program;
         int wrong = 0;
         const bool isRevolution = variant.kind == solids::SolidKind::Revolution;
@@ -234,7 +243,7 @@ TEST_F(SolidRays, FindOutWrongSearches) {
             const SolidCase solid = around(endless);
             const materials::SolidMaterial material = materialOf(*stage_, solid);
             if (!program)
-                program = wrongProgram(material, variant);
+                program = variantProgram(material, variant);
             const SolidRounding rounding(solid.compound);
             for (const MeasuredPixel& pixel :
                  searchRays(material, *program, hostileSolidRays(solid.low, solid.high, 900)))
@@ -242,6 +251,41 @@ TEST_F(SolidRays, FindOutWrongSearches) {
         }
         fmt::print("{}: {} wrong\n", variant.name, wrong);
         EXPECT_GT(wrong, 9) << variant.name;
+    }
+}
+
+double meanFetches(const std::vector<MeasuredPixel>& pixels) {
+    double sum = 0.0;
+    for (const MeasuredPixel& pixel : pixels)
+        sum += pixel.fetches;
+    return sum / static_cast<double>(pixels.size());
+}
+
+TEST_F(SolidRays, TakeFewerLookupsForLeaps) {
+    for (const solids::SolidKind kind :
+         {solids::SolidKind::Extrusion, solids::SolidKind::Revolution}) {
+        const Variant without{"no leaps", kind,
+                              "bool isRefused = leap.wasLost || !(radius > kSolidNearest);",
+                              "bool isRefused = true;"};
+        std::optional<gl::Program> program;
+        double leaping = 0.0;
+        double walking = 0.0;
+        const bool isRevolution = kind == solids::SolidKind::Revolution;
+        for (const SolidCase& endless : isRevolution ? revolutionCases() : extrusionCases()) {
+            const SolidCase solid = around(endless);
+            const materials::SolidMaterial material = materialOf(*stage_, solid);
+            if (!program)
+                program = variantProgram(material, without);
+            const std::vector<HostileSolidRay> rays = hostileSolidRays(solid.low, solid.high, 900);
+            const double other = meanFetches(searchRays(material, *program, rays));
+            const double ours = meanFetches(searchRays(material, programOf(material), rays));
+            // In noise of single texels no guess is right.
+            EXPECT_LT(ours, 1.2 * other) << solid.name;
+            leaping += ours;
+            walking += other;
+        }
+        fmt::print("{} lookups with leaps, {} without\n", leaping, walking);
+        EXPECT_LT(leaping, 0.95 * walking);
     }
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
+#include "reference/shape_cell.h"
 #include "shaders/relievo/constants.h"
 
 namespace relievo::viewer {
@@ -42,14 +44,28 @@ double largestShift(const glm::dmat4& m) {
     return std::max({std::abs(m[3].x), std::abs(m[3].y), std::abs(m[3].z)});
 }
 
-// Texels by which neighbours differ, at most.
+// Texels by which neighbours differ along an axis, at most: of the distance, and of both fields of
+// a crease.
 double steepestStep(const textures::ShapeMap& map) {
-    float steepest = 0.0f;
+    double steepest = 0.0;
     for (int j = 0; j < map.height(); ++j)
-        for (int i = 0; i < map.width(); ++i)
-            steepest = std::max({steepest, std::abs(map.at(i + 1, j) - map.at(i, j)),
-                                 std::abs(map.at(i, j + 1) - map.at(i, j))});
-    return static_cast<double>(steepest) * map.width();
+        for (int i = 0; i < map.width(); ++i) {
+            const reference::ShapeCell cell =
+                reference::shapeCell(map, i, textures::wrapIndex(i + 1, map.width(), map.wrap), j,
+                                     textures::wrapIndex(j + 1, map.height(), map.wrap));
+            for (const reference::BilinearCell& field : {cell.a, cell.b})
+                for (const glm::dvec2& corner : {glm::dvec2(0.0), glm::dvec2(1.0)}) {
+                    const glm::dvec2 slope = glm::abs(field.gradient(corner));
+                    steepest = std::max({steepest, slope.x, slope.y});
+                }
+        }
+    return steepest * map.width();
+}
+
+// What rounding makes of distances as the texture of a map with creases has them, in texels: as a
+// sum with RELIEVO_SOLID_CREASE, and by codes that are as large.
+double creaseRounding(const textures::ShapeMap& map) {
+    return map.isCreased() ? 3.0 * 0x1p-20 : 0.0;
 }
 
 double steepestSlope(const Profile& profile) {
@@ -93,6 +109,7 @@ PartRounding roundingOf(const SolidPart& part, double length) {
     // Along v a tile is as high as the aspect says.
     const double perTile = std::numbers::sqrt2 * steepestStep(map) * std::max(1.0, map.aspect());
     double offset = perTile * place + 0x1p-21 * (largestMagnitude(part.solid) + 3.0 / map.width());
+    offset += creaseRounding(map) / map.width();
     if (part.solid.kind == SolidKind::Extrusion)
         offset += 2.0 * steepestSlope(part.solid.profile) * place;
     else

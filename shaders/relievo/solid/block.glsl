@@ -20,7 +20,7 @@ struct SolidPiece {
 
 struct SolidPart {
     mat4 fromWhole;      // from the space of the whole
-    vec4 windowMinimum;  // nothing of the part is outside
+    vec4 windowMinimum;  // nothing of the part is outside; w: most by which distances are above steps
     vec4 windowMaximum;  // w: width of a texel in tiles
     vec4 section;        // u and v of the axis; extension; what rounding has taken of stored distances
     ivec4 ways;          // pieces; wrap mode; operation; how it is textured

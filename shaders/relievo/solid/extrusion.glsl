@@ -1,12 +1,13 @@
 // Where a ray passes the surface of an extrusion d(u,v) = o(z) (specification 7.2), d bilinear between texel
 // centres and o straight from piece to piece: cells are solved exactly, one quadratic a piece, and from where
-// the ray leaves a cell it goes on as far as the distance there says that all is free. No step can pass the
-// surface, whatever its slope, and no second search is needed.
+// the ray leaves a cell it goes on as far as the distance there says that all is free, and farther where that
+// can be made good. No step can pass the surface, whatever its slope, and no second search is needed.
 //
-// Error: rounding of floats. Cost: one lookup a cell.
-#include "relievo/fetches.glsl"
-#include "relievo/platform.glsl"
+// Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
+// surface; and one a leap that was too long.
 #include "relievo/search/walk.glsl"
+#include "relievo/solid/cell.glsl"
+#include "relievo/solid/leap.glsl"
 #include "relievo/solid/profile.glsl"
 
 // Puts the cursor on a wall of a piece, or on the level step that the ray has come to.
@@ -25,13 +26,12 @@ void solidMeetStep(float t, float dz, inout SolidCursor cursor) {
     cursor.isOnSurface = false;
 }
 
-// Looks for the surface on the part of the walk's cell up to `exit`. `distances` are those of
+// Looks for the surface on the part of the walk's cell between `from` and `exit`. `distances` are those of
 // reliefAlongCell in the sense of the ray. False: the cursor's piece is that at the exit.
-bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, float exit, bool isOnSurface,
-                     inout SolidCursor cursor) {
+bool solidMeetField(int part, SolidPath path, ReliefWalk walk, vec3 distances, float from, float exit,
+                    bool isOnSurface, inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
     float dz = path.direction.z;
-    float from = walk.t;
     bool isStep = false;
     for (int pieces = solidParts[part].ways.x; pieces > 0; --pieces) {
         int index = solidPieceIndex(part, cursor.piece);
@@ -68,6 +68,70 @@ bool solidMeetInCell(int part, SolidPath path, ReliefWalk walk, vec3 distances, 
     return false;
 }
 
+#ifdef RELIEVO_SOLID_CREASED
+// The same up to `exit` with creases, where the distance goes over from one field to the other. `steps` are
+// below the distance: where they do not come to the surface from outside it does not either.
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
+                     bool isOnSurface, inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    if (!cursor.isInside && !isOnSurface) {
+        SolidCursor ahead = cursor;
+        if (!solidMeetField(part, path, walk, reliefAlongCell(walk, steps), walk.t, exit, false, ahead)) {
+            cursor = ahead;
+            return false;
+        }
+    }
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    vec3 first = reliefAlongCell(walk, cell.first);
+    vec3 second = reliefAlongCell(walk, cell.second);
+    vec3 apart = first - second;
+    vec2 creases = walk.t + solidZeros(apart);
+    float from = walk.t;
+    for (int k = 0; k < 3; ++k) {
+        float to = k == 0 ? creases.x : (k == 1 ? creases.y : exit);
+        to = min(to, exit);
+        if (to < from || (to == from && k < 2)) continue;
+        float s = 0.5 * (from + to) - walk.t;
+        bool isFirst = solidIsFirst(cell, apart.x + (apart.y + apart.z * s) * s, 0.0);
+        if (solidMeetField(part, path, walk, sense * (isFirst ? first : second), from, to, isOnSurface, cursor))
+            return true;
+        from = to;
+        isOnSurface = false;
+    }
+    return false;
+}
+#else
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
+                     bool isOnSurface, inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+    return solidMeetField(part, path, walk, sense * reliefAlongCell(walk, steps), walk.t, exit, isOnSurface,
+                          cursor);
+}
+#endif
+
+// Whether the surface has been passed where the walk's ray enters its cell: `gap` is sure of the distance less
+// the offset, both in the sense of the ray.
+bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, vec4 steps, float gap, float offset,
+                    bool isInside) {
+    if (!solidIsPassed(gap, isInside)) return false;
+    if (solidIsPassed(gap + solidCreaseDepth(part), isInside)) return true;
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    float first = reliefAlongCell(walk, cell.first).x;
+    float second = reliefAlongCell(walk, cell.second).x;
+    float distance = solidIsFirst(cell, first, second) ? first : second;
+    return solidIsPassed((isInside ? -distance : distance) - offset, isInside);
+}
+
+// On to t where that is beyond the walk's cell.
+void solidReachWalk(inout ReliefWalk walk, float t) {
+    if (t > walk.exit) reliefJumpWalk(walk, t);
+}
+
+// By how much of itself the gap to the surface shrinks per unit of t, where the distance has that slope.
+float solidShrinking(int index, float sense, float distance, float slope, float z, float dz) {
+    return (sense * solidPieces[index].line.w * dz - slope) / (distance - sense * solidPieceOffset(index, z));
+}
+
 // On to the next place where the ray passes the surface, from the cursor's.
 void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
     ReliefWalk walk = reliefBeginWalk(path.origin.xy, path.direction.xy, textureSize(map, 0),
@@ -79,33 +143,50 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     int way = solidWay(dz, cursor.isInside);
     bool isStart = true;
     bool isOnSurface = cursor.isOnSurface;
+    SolidLeap leap = solidBeginLeaps(walk.t);
+    ReliefWalk back = walk;  // from where to go on after a leap that was too long
+    int backPiece = cursor.piece;
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         ++reliefFetchCount;
-        vec3 distances = sense * reliefAlongCell(walk, reliefGather(map, reliefWalkGather(walk)));
+        vec4 steps = reliefGather(map, reliefWalkGather(walk));
+        // What is sure of the distance, in the sense of the ray.
+        vec3 sure = sense * reliefAlongCell(walk, steps);
+        if (cursor.isInside) sure.x -= solidCreaseDepth(part);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
+        if (!isStart) cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float clear = walk.t;
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
-            if (isStart && solidIsPassed(distances.x - offset, cursor.isInside)) {
+            if (isStart &&
+                solidHasPassed(map, part, walk, steps, sure.x - offset, offset, cursor.isInside)) {
                 // What is solid where a ray begins shows the side that it came in by.
                 cursor.side = path.enterNormal;
                 return;
             }
-            clear += solidFreeOfProfile(part, cursor.piece, way, distances.x, z, dz, speed);
+            float ahead = solidFreeOfProfile(part, cursor.piece, way, sure.x, z, dz, speed);
+            float behind =
+                solidFreeOfProfile(part, cursor.piece, solidWayBack(way), sure.x, z, -dz, speed);
+            if (!solidHasLanded(leap, walk.t, behind, ahead)) {
+                walk = back;
+                solidReachWalk(walk, leap.clear);
+                cursor.piece = backPiece;
+                continue;
+            }
+            clear += ahead;
         }
         // A cell of no length leads neither off the surface nor through it.
         bool isBare = isOnSurface && exit <= cursor.t;
         if (clear <= exit && !isBare &&
-            solidMeetInCell(part, path, walk, distances, exit, isOnSurface, cursor))
+            solidMeetInCell(map, part, path, walk, steps, exit, isOnSurface, cursor))
             return;
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
-        float distance = distances.x + (distances.y + distances.z * span) * span;
-        clear = max(clear,
-                    exit + solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed));
+        float distance = sure.x + (sure.y + sure.z * span) * span;
+        float free = solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed);
+        clear = solidClearOfIsland(leap, max(clear, exit + free));
         if (clear >= path.leave) {
             cursor.t = cursor.isInside ? path.leave : kReliefBoundless;
             cursor.side = path.leaveNormal;
@@ -116,9 +197,14 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         isOnSurface = isBare;
         // The step alone is sure to leave the cell.
         reliefStepWalk(walk);
-        if (clear > walk.exit) reliefJumpWalk(walk, clear);
-        cursor.piece = solidPieceAt(part, cursor.piece, path.origin.z + walk.t * dz, dz);
+        back = walk;
+        backPiece = cursor.piece;
+        leap.clear = max(clear, walk.t);
+        float shrinking = solidShrinking(solidPieceIndex(part, backPiece), sense, distance,
+                                         sure.y + 2.0 * sure.z * span, z, dz);
+        float radius = isOnSurface ? 0.0 : free * speed;
+        solidReachWalk(walk, solidLeap(leap, radius, shrinking, speed, float(walk.size.x), path.leave));
     }
-    cursor.t = walk.t;
+    cursor.t = min(walk.t, leap.clear);
     solidIsExhausted = true;
 }

@@ -73,8 +73,8 @@ void solidCross(int part, SolidPath path, inout SolidCursor cursor) {
 #endif
 }
 
-// The gradient of a part's distances at (u,v) of its map, of unit length or less.
-vec2 solidGradientAt(int part, vec2 uv) {
+// The stored gradient of a part's distances at (u,v) of its map, of unit length or less.
+vec2 solidStoredGradient(int part, vec2 uv) {
     ++reliefFetchCount;
     if (part == 0) return textureLod(relievoSolidGradients0, uv, 0.0).rg;
 #if RELIEVO_SOLID_PARTS > 1
@@ -87,6 +87,35 @@ vec2 solidGradientAt(int part, vec2 uv) {
     if (part == 3) return textureLod(relievoSolidGradients3, uv, 0.0).rg;
 #endif
     return vec2(0.0);
+}
+
+#ifdef RELIEVO_SOLID_CREASED
+bool solidCornerGradientOf(int part, vec2 uv, out vec2 gradient) {
+    if (part == 0) return solidCornerGradient(relievoSolidDistances0, uv, gradient);
+#if RELIEVO_SOLID_PARTS > 1
+    if (part == 1) return solidCornerGradient(relievoSolidDistances1, uv, gradient);
+#endif
+#if RELIEVO_SOLID_PARTS > 2
+    if (part == 2) return solidCornerGradient(relievoSolidDistances2, uv, gradient);
+#endif
+#if RELIEVO_SOLID_PARTS > 3
+    if (part == 3) return solidCornerGradient(relievoSolidDistances3, uv, gradient);
+#endif
+    gradient = vec2(0.0);
+    return false;
+}
+#endif
+
+// The gradient of a part's distances at (u,v) of its tiles, of unit length or less; beside a corner that of the
+// side that the place is on.
+vec2 solidGradientAt(int part, vec2 uv) {
+#ifdef RELIEVO_SOLID_CREASED
+    vec2 corner;
+    if (solidCornerGradientOf(part, uv, corner)) return corner;
+#endif
+    vec2 gradient = solidStoredGradient(part, uv);
+    if (solidIsMirrored(part) && !solidIsRevolution(part)) gradient *= 1.0 - 2.0 * mod(floor(uv), 2.0);
+    return gradient;
 }
 
 // Height over width of a part's map.

@@ -71,6 +71,7 @@ struct SolidCursor {
 
 // Which way a ray looks at a profile: down or up from outside, down or up from inside.
 int solidWay(float dz, bool isInside) { return (dz < 0.0 ? 1 : 0) + (isInside ? 2 : 0); }
+int solidWayBack(int way) { return way ^ 1; }  // of a ray that runs backwards
 
 // Whether the surface has been passed where the function of the solid has this value in the sense of the ray.
 // The surface itself is solid, and so is all of a map without signs that is 0: what is inside stays so.

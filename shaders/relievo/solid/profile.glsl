@@ -8,13 +8,19 @@ float solidPieceOffset(int index, float z) {
     return line.z + line.w * (z - line.x);
 }
 
-// The piece at depth z or, going that way, at the next one; never back.
+// Whether depth z, on a ray that goes that way, is beyond a piece that is not the last one there.
+bool solidIsBeyond(int part, int piece, float z, float dz) {
+    vec4 line = solidPieces[solidPieceIndex(part, piece)].line;
+    return dz >= 0.0 ? piece < solidParts[part].ways.x - 1 && z >= line.y : piece > 0 && z <= line.x;
+}
+
+// The piece at depth z or, going that way, at the next one; never back. The loop is begun only where it has
+// something to do: software renderers count its beginnings and end programs that have too many.
 int solidPieceAt(int part, int piece, float z, float dz) {
-    int last = solidParts[part].ways.x - 1;
-    if (dz >= 0.0) {
-        while (piece < last && z >= solidPieces[solidPieceIndex(part, piece)].line.y) ++piece;
-    } else {
-        while (piece > 0 && z <= solidPieces[solidPieceIndex(part, piece)].line.x) --piece;
+    if (solidIsBeyond(part, piece, z, dz)) {
+        int ahead = dz >= 0.0 ? 1 : -1;
+        do piece += ahead;
+        while (solidIsBeyond(part, piece, z, dz));
     }
     return piece;
 }
@@ -35,6 +41,17 @@ float solidFreeOfProfile(int part, int piece, int way, float distance, float z, 
     float here = solidFree(gap - sense * solidPieceOffset(index, z), closing, speed);
     if (dz != 0.0) here = min(here, max((solidPieces[index].limits[way] - z) / dz, 0.0));
     return kSolidShort * max(everywhere, here);
+}
+
+// Where x + y·s + z·s² is 0, in order; kReliefBoundless: nowhere.
+vec2 solidZeros(vec3 g) {
+    float discriminant = g.y * g.y - 4.0 * g.z * g.x;
+    if (discriminant < 0.0 || (g.y == 0.0 && g.z == 0.0)) return vec2(kReliefBoundless);
+    // Neither root by a difference in which digits cancel.
+    float half_ = -0.5 * (g.y + (g.y < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
+    float a = g.z != 0.0 ? half_ / g.z : kReliefBoundless;
+    float b = half_ != 0.0 ? g.x / half_ : a;
+    return vec2(min(a, b), max(a, b));
 }
 
 // The first s in [0, span] at which x + y·s + z·s² passes 0; kReliefBoundless: none. One that begins on the

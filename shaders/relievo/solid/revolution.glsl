@@ -3,9 +3,10 @@
 // that lies below the distance along it comes down to the surface. That is never behind the surface, and
 // twice as many digits are right each time. Every replica is a solid of its own: no step leaves its tile.
 //
-// Error: rounding of floats. Cost: one lookup a cell.
-#include "relievo/fetches.glsl"
-#include "relievo/platform.glsl"
+// Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
+// surface; and one a leap that was too long.
+#include "relievo/solid/cell.glsl"
+#include "relievo/solid/leap.glsl"
 #include "relievo/solid/section.glsl"
 
 // Texels: what floats make of distances from the axis of a thousand texels. Nearer is on the surface.
@@ -13,14 +14,11 @@ const float kSolidTouch = 6e-5;
 const int kSolidParabolas = 48;
 const float kSolidLastDigit = 1.2e-7;  // of 1, as floats have it
 
-// The corners of the section's cell, in the order of textureGather. Beyond the border the last texels go on:
-// the sampler clamps.
-vec4 solidSectionCorners(sampler2D map, SolidSection section) {
-    ++reliefFetchCount;
-    return reliefGather(map, vec2(section.cell + 1) / vec2(section.size));
-}
+// Where textureGather takes the texels of the section's cell. Beyond the border the last texels go on: the
+// sampler clamps.
+vec2 solidSectionGather(SolidSection section) { return vec2(section.cell + 1) / vec2(section.size); }
 
-// A bilinear cell along the ray, less the extension, in the sense of the ray.
+// A bilinear field of a cell, less the extension, in the sense of the ray.
 struct SolidCellField {
     vec4 terms;  // corner, slope across, slope down, twist
 };
@@ -66,26 +64,77 @@ float solidLeaveSurface(vec3 slopes) {
     return max(rise, max(sqrt(kSolidTouch / max(slopes.y, 1e-30)), kSolidTouch / max(slopes.z, 1e-30)));
 }
 
-// The first t from `from` on to `end` at which the field comes down to 0; kReliefBoundless: none. False: it
+// What the ray has for certain up to `stretch`, where the field has that value: from a place on the surface
+// as far as it takes to leave it.
+float solidFieldWay(SolidCellField field, SolidSection section, float t, float stretch, float value,
+                    bool isLeaving) {
+    vec3 slopes = solidFieldSlopes(field, section, t, stretch);
+    return isLeaving ? solidLeaveSurface(slopes) : solidFreeOfField(max(value, 0.0), slopes);
+}
+
+// The distance in a cell, in the sense of the ray: the larger or smaller one of two fields.
+struct SolidSectionCell {
+    SolidCellField first;
+#ifdef RELIEVO_SOLID_CREASED
+    SolidCellField second;
+    bool isLarger;
+#endif
+};
+
+SolidSectionCell solidSectionCell(SolidCell cell, float extension, float sense) {
+#ifdef RELIEVO_SOLID_CREASED
+    return SolidSectionCell(solidCellField(cell.first, extension, sense),
+                            solidCellField(cell.second, extension, sense), cell.isLarger == (sense > 0.0));
+#else
+    return SolidSectionCell(solidCellField(cell.first, extension, sense));
+#endif
+}
+
+// The field that is the distance at t, and there its value.
+SolidCellField solidShownField(SolidSectionCell cell, SolidSection section, float t, out float value) {
+    value = solidFieldAt(cell.first, section, t);
+#ifdef RELIEVO_SOLID_CREASED
+    float second = solidFieldAt(cell.second, section, t);
+    if ((value > second) != cell.isLarger) {
+        value = second;
+        return cell.second;
+    }
+#endif
+    return cell.first;
+}
+
+// The same of the distance, of which `shown` is the field that it is. The smaller one of two may soon be the other one.
+float solidSectionWay(SolidSectionCell cell, SolidCellField shown, SolidSection section, float t, float stretch,
+                      float value, bool isLeaving) {
+#ifdef RELIEVO_SOLID_CREASED
+    if (!cell.isLarger) {
+        float first = solidFieldAt(cell.first, section, t);
+        float second = solidFieldAt(cell.second, section, t);
+        return min(solidFieldWay(cell.first, section, t, stretch, first, isLeaving && first <= kSolidTouch),
+                   solidFieldWay(cell.second, section, t, stretch, second, isLeaving && second <= kSolidTouch));
+    }
+#endif
+    return solidFieldWay(shown, section, t, stretch, value, isLeaving);
+}
+
+// The first t from `from` on to `end` at which the distance comes down to 0; kReliefBoundless: none. False: it
 // has not come so far, and `from` is where it has come. Up to the turn and from there on the bounds are
 // different ones.
-bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool isOnSurface, bool isInside,
-                    inout float from, out float root) {
+bool solidSectionRoot(SolidSectionCell cell, SolidSection section, float end, bool isOnSurface, bool isInside,
+                      inout float from, out float root) {
     root = kReliefBoundless;
     // Inside of a map without signs the field is 0 all over: there only what is behind the surface is passed.
     float touch = isOnSurface || isInside ? 0.0 : kSolidTouch;
     for (int k = 0; k < kSolidParabolas; ++k) {
         float stretch = from < section.turn ? min(section.turn, end) : end;
-        vec3 slopes = solidFieldSlopes(field, section, from, stretch);
-        float value = solidFieldAt(field, section, from);
-        bool isLevel = isInside && value == 0.0 && slopes.x >= 0.0;
-        float way;
-        if (isOnSurface || isLevel) {
-            way = solidLeaveSurface(slopes);
-            isOnSurface = false;
-        } else {
+        float value;
+        SolidCellField shown = solidShownField(cell, section, from, value);
+        bool isLevel =
+            isInside && value == 0.0 && solidFieldSlopes(shown, section, from, stretch).x >= 0.0;
+        bool isLeaving = isOnSurface || isLevel;
+        float way = solidSectionWay(cell, shown, section, from, stretch, value, isLeaving);
+        if (!isLeaving) {
             if (value > 2.0 * kSolidTouch) touch = kSolidTouch;
-            way = solidFreeOfField(value, slopes);
             // Where t has no more digits the rest of the way is its last one. That the sum of both is one of
             // them is not asked: compilers take that for a question of `way` being 0.
             if (value <= touch || way <= kSolidLastDigit * from) {
@@ -93,10 +142,42 @@ bool solidFieldRoot(SolidCellField field, SolidSection section, float end, bool 
                 return true;
             }
         }
+        isOnSurface = false;
         from = min(from + way, stretch);
         if (from >= end) return true;
     }
     return false;
+}
+
+// solidSectionRoot for the distance of the section's cell, where `steps` are those of it. What they keep clear
+// of from outside the distance does as well.
+bool solidMeetSection(sampler2D map, SolidSection section, vec4 steps, float extension, float end,
+                      SolidCursor cursor, bool isOnSurface, out float from, out float root) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
+#ifdef RELIEVO_SOLID_CREASED
+    if (!cursor.isInside && !isOnSurface) {
+        from = section.t;
+        bool isSettled = solidSectionRoot(solidSectionCell(SolidCell(steps, steps, true), extension, sense),
+                                          section, end, false, false, from, root);
+        if (isSettled && root >= kReliefBoundless) return true;
+    }
+#endif
+    from = section.t;
+    SolidCell cell = solidCell(map, solidSectionGather(section), steps);
+    return solidSectionRoot(solidSectionCell(cell, extension, sense), section, end, isOnSurface, cursor.isInside,
+                            from, root);
+}
+
+// Whether the surface has been passed where the ray enters the section's cell: `gap` is sure of the distance
+// less the extension, in the sense of the ray.
+bool solidHasPassed(sampler2D map, int part, SolidSection section, vec4 steps, float gap, bool isInside) {
+    if (!solidIsPassed(gap, isInside)) return false;
+    if (solidIsPassed(gap + solidCreaseDepth(part), isInside)) return true;
+    SolidCell cell = solidCell(map, solidSectionGather(section), steps);
+    float value;
+    solidShownField(solidSectionCell(cell, solidParts[part].section.z, isInside ? -1.0 : 1.0), section,
+                     section.t, value);
+    return solidIsPassed(value, isInside);
 }
 
 bool solidIsTurned(int part, int tile) { return solidIsMirrored(part) && (tile & 1) != 0; }
@@ -131,6 +212,11 @@ SolidSection solidSectionOf(int part, SolidPath path, ivec3 tile, ivec2 size, fl
     return solidBeginSection(path, solidParts[part].section.xy, tile, solidIsTurned(part, tile.z), size, t);
 }
 
+// On to t where that is beyond the section's cell.
+void solidReachSection(inout SolidSection section, float t) {
+    if (t > section.exit) solidJumpSection(section, t);
+}
+
 // On to the next place where the ray passes the surface, from the cursor's.
 void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCursor cursor) {
     ivec2 size = textureSize(map, 0);
@@ -143,25 +229,37 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
     vec3 side = path.enterNormal;
     bool isFresh = true;  // at the start, or behind the border of a replica
     bool isOnSurface = cursor.isOnSurface;
+    SolidLeap leap = solidBeginLeaps(section.t);
+    SolidSection back = section;  // from where to go on after a leap that was too long
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
-        SolidCellField field = solidCellField(solidSectionCorners(map, section), info.z, sense);
+        ++reliefFetchCount;
+        vec4 steps = reliefGather(map, solidSectionGather(section));
+        SolidCellField sure = solidCellField(steps, info.z, sense);
+        if (cursor.isInside) sure.terms.x -= solidCreaseDepth(part);
         float exit = max(min(section.exit, tileExit), section.t);
         float clear = section.t;
         if (!isOnSurface) {
-            float value = solidFieldAt(field, section, section.t);
-            if (isFresh && solidIsPassed(value, cursor.isInside)) {
+            float value = solidFieldAt(sure, section, section.t);
+            if (isFresh && solidHasPassed(map, part, section, steps, value, cursor.isInside)) {
                 // What is solid where a ray comes in shows the side that it came in by.
                 cursor.t = section.t;
                 cursor.side = side;
                 return;
             }
-            clear += kSolidShort * solidFree(value - info.w, 0.0, speed);
+            float around = kSolidShort * solidFree(value - info.w, 0.0, speed);
+            if (!solidHasLanded(leap, section.t, around, around)) {
+                section = back;
+                solidReachSection(section, leap.clear);
+                continue;
+            }
+            clear += around;
         }
         if (clear <= exit) {
             float root;
-            float from = section.t;
-            bool isSettled = solidFieldRoot(field, section, exit, isOnSurface, cursor.isInside, from, root);
+            float from;
+            bool isSettled =
+                solidMeetSection(map, section, steps, info.z, exit, cursor, isOnSurface, from, root);
             if (root < kReliefBoundless) {
                 cursor.t = root;
                 cursor.side = vec3(0.0);
@@ -170,19 +268,24 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
                 return;
             }
             if (!isSettled) {
-                section.t = from;
+                section.t = leap.clear = from;
                 isFresh = isOnSurface = false;
                 continue;
             }
         }
-        clear = max(clear, exit + kSolidShort * solidFree(solidFieldAt(field, section, exit) - info.w, 0.0,
-                                                          speed));
+        float gap = solidFieldAt(sure, section, exit);
+        float free = kSolidShort * solidFree(gap - info.w, 0.0, speed);
+        clear = solidClearOfIsland(leap, max(clear, exit + free));
         isFresh = false;
         isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
         if (clear < tileExit) {
             // The step alone is sure to leave the cell.
+            float shrinking = -solidFieldSlopes(sure, section, exit, exit).x / gap;
             solidStepSection(section);
-            if (clear > section.exit) solidJumpSection(section, clear);
+            back = section;
+            leap.clear = max(clear, section.t);
+            float radius = isOnSurface ? 0.0 : free * speed;
+            solidReachSection(section, solidLeap(leap, radius, shrinking, speed, float(size.x), tileExit));
             continue;
         }
         cursor.isOnSurface = false;
@@ -198,7 +301,8 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         section = solidSectionOf(part, path, cursor.tile, size, tileExit);
         tileExit = max(min(solidTileExit(path, cursor.tile, axis), path.leave), section.t);
         isFresh = true;
+        leap = solidBeginLeaps(section.t);
     }
-    cursor.t = section.t;
+    cursor.t = min(section.t, leap.clear);
     solidIsExhausted = true;
 }
