@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
@@ -210,9 +211,13 @@ void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
                       shape.coverage != nullptr ? kCornerOfBitmap : kCornerOfDrawing);
     if (found.sharpCorners == 0)
         return;
-    for (std::size_t t = 0; t < found.step.texels.size(); ++t)
-        if (found.step.texels[t] == found.distance.texels[t] && found.code.texels[t] == 0.0f)
-            found.step.texels[t] = kNotLowered;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.step.texels.size(), kTexelsAtOnce),
+                      [&](const tbb::blocked_range<std::size_t>& texels) {
+                          for (std::size_t t = texels.begin(); t < texels.end(); ++t)
+                              if (found.step.texels[t] == found.distance.texels[t] &&
+                                  found.code.texels[t] == 0.0f)
+                                  found.step.texels[t] = kNotLowered;
+                      });
     map.distance = std::move(found.distance);
     map.creases = {std::move(found.code), std::move(found.step)};
 }
