@@ -224,6 +224,40 @@ void straightenEnds(OutlineChain& chain, const glm::dvec2& size) {
     straightenEnd(points[last], points[last - 1], points[last - 2], size);
 }
 
+// How much a chain turns between two stretches of some points each, the first of which begins at
+// point k: long enough for their directions to be known to a hundredth. Nothing where points are
+// missing or not sure.
+std::optional<double> bend(const ChainPoints& points, int k, int step) {
+    constexpr int kStretch = 4;
+    for (int other = 0; other <= 2 * kStretch; ++other)
+        if (!points.isSure(k + other * step))
+            return std::nullopt;
+    const glm::dvec2 middle = points.place(k + kStretch * step);
+    return std::abs(cross(glm::normalize(points.place(k) - middle),
+                          glm::normalize(middle - points.place(k + 2 * kStretch * step))));
+}
+
+// Where one side of a corner is straight and the other is not, the straight line in place of that
+// has met it too early or too late: by how much the corner moves along the straight side so that
+// the coverage around is right. `excess` is what the two lines have too little, in texels of area.
+glm::dvec2 settlement(const Corner& corner, double excess, const ChainPoints& points, int last,
+                      int next) {
+    constexpr double kCurved = 0.03;
+    constexpr double kStraight = 0.3;      // of the other one's bend
+    constexpr double kFarthestMove = 0.5;  // texels
+    const std::optional<double> before = bend(points, last, -1);
+    const std::optional<double> after = bend(points, next, 1);
+    if (!before || !after || std::max(*before, *after) < kCurved ||
+        std::min(*before, *after) > kStraight * std::max(*before, *after))
+        return glm::dvec2(0.0);
+    const glm::dvec2 along = *before < *after ? corner.before.along : corner.after.along;
+    // The inside is to the right, so that areas are as those of polygons in this sense.
+    const double areaPerTexel = 0.5 * cross(along, points.place(next) - points.place(last));
+    if (std::abs(excess) > std::abs(areaPerTexel) * kFarthestMove)
+        return glm::dvec2(0.0);
+    return excess / areaPerTexel * along;
+}
+
 class Sharpener {
   public:
     Sharpener(const Plane& coverage, const TexelSides& sides, std::vector<std::size_t>& changed)
@@ -269,11 +303,14 @@ class Sharpener {
     void tryCorner(const ChainPoints& points, int last, int next) {
         if (!isFree(points, last, next))
             return;
-        const std::optional<Corner> corner =
+        std::optional<Corner> corner =
             meet(Line{points.place(last), into_[index(points, last)]},
                  Line{points.place(next), onwards_[index(points, next)]});
-        if (!corner || !explains(*corner, points, last, next))
+        const std::optional<double> more =
+            corner ? excess(*corner, points, last, next) : std::nullopt;
+        if (!more)
             return;
+        corner->place += settlement(*corner, *more, points, last, next);
         flipBetween(*corner, points, last, next);
         corners_[index(points, last)] = corner->place;  // last is no number of another round
         for (int k = last + 1; k < next; ++k)
@@ -297,9 +334,10 @@ class Sharpener {
         return true;
     }
 
-    // Whether all coverage around a corner is that of its two lines.
-    [[nodiscard]] bool explains(const Corner& corner, const ChainPoints& points, int last,
-                                int next) const {
+    // How much more of the texels around a corner is covered than by its two lines, in all: nothing
+    // where a texel differs from them by too much.
+    [[nodiscard]] std::optional<double> excess(const Corner& corner, const ChainPoints& points,
+                                               int last, int next) const {
         glm::dvec2 least = corner.place;
         glm::dvec2 most = corner.place;
         for (int k = last - 1; k <= next + 1; ++k)
@@ -309,11 +347,15 @@ class Sharpener {
             }
         const glm::ivec2 first(glm::floor(least - 0.5));
         const glm::ivec2 end(glm::floor(most + 0.5));
+        double sum = 0.0;
         for (int j = first.y; j <= end.y; ++j)
-            for (int i = first.x; i <= end.x; ++i)
-                if (std::abs(corner.coverage({i, j}) - at(i, j)) > kTolerance)
-                    return false;
-        return true;
+            for (int i = first.x; i <= end.x; ++i) {
+                const double difference = at(i, j) - corner.coverage({i, j});
+                if (std::abs(difference) > kTolerance)
+                    return std::nullopt;
+                sum += difference;
+            }
+        return sum;
     }
 
     [[nodiscard]] float at(int i, int j) const {
