@@ -56,11 +56,12 @@ BakeOutput buildDistances(const BakeInput& input) {
 
 // The raised texels as coverage with grey between them, as a drawn shape has it: a half where the
 // median is.
+template <bool kHasSharpCorners>
 BakeOutput buildShape(const BakeInput& input) {
     preprocess::ShapePlan plan;
     plan.wrap = input.map.wrap;
-    return otherOutput(
-        preprocess::bakeShape({input.coverage, input.map.width(), input.map.height(), ""}, plan));
+    plan.hasSharpCorners = kHasSharpCorners;
+    return otherOutput(preprocess::bakeShape(input.shape, plan));
 }
 
 BakeOutput buildSequentialDistances(const BakeInput& input) {
@@ -147,8 +148,9 @@ std::vector<BakeBuilder> surfaceBuilders() {
         {"distances-4sed", "the same by 4SED", buildSequentialDistances, 0, kDistances, true},
         {"distances-opencv", "the same by OpenCV, never repeated", kOpenCvDistances, 0, kDistances,
          true},
-        {"shape", "shape map of the upper half: outline, signed distances, directions", buildShape,
-         0, kShape},
+        {"shape", "shape map of the upper half: outline, signed distances, directions",
+         buildShape<false>, 0, kShape},
+        {"shape-sharp", "the same with sharp corners", buildShape<true>, 0, kShape},
         {"shape-opencv", "its like by OpenCV: distances of both sides and Sobel, never repeated",
          kOpenCvShape, 0, kShape, true},
     };
@@ -264,7 +266,7 @@ BakeInput makeBakeInput(textures::DepthMap map) {
     input.lowered = input.raised;
     for (std::uint8_t& texel : input.lowered)
         texel = static_cast<std::uint8_t>(1 - texel);
-    input.coverage = coverageAboveMedian(input.map.depth);
+    input.shape = {coverageAboveMedian(input.map.depth), input.map.width(), input.map.height(), ""};
     return input;
 }
 

@@ -12,6 +12,7 @@
 #include "preprocess/conservative_cones.h"
 #include "preprocess/derivatives.h"
 #include "preprocess/distance_transform.h"
+#include "preprocess/shape_source.h"
 #include "textures/depth_map.h"
 #include "textures/plane.h"
 
@@ -25,8 +26,8 @@ struct BakeInput {
     std::vector<std::uint8_t> raised;
     /// The opposite, which is what OpenCV starts from.
     std::vector<std::uint8_t> lowered;
-    /// For shape maps: how much of each texel is above the median.
-    textures::Plane coverage;
+    /// For shape maps: a bitmap of how much of each texel is above the median.
+    preprocess::ShapeSource shape;
 };
 
 /// The input made of a relief.

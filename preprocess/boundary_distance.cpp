@@ -1,14 +1,16 @@
 #include "preprocess/boundary_distance.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <initializer_list>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "preprocess/lanes.h"
 #include "preprocess/processor.h"
@@ -16,39 +18,108 @@
 namespace relievo::preprocess {
 namespace {
 
-constexpr int kSide = 4;  // texels of a packet
-static_assert(kSide * kSide == kLanes);
-constexpr int kBlock = 32;  // texels of a block of packets that begin at the same nodes
-static_assert(kBlock % kSide == 0);
+constexpr int kBlock = 32;  // texels of a square whose segments are searched for in the tree
+constexpr int kSquare = 8;  // texels of a square whose nearest segments are found at once
+constexpr int kSquarePlaces = kSquare * kSquare;
+static_assert(kBlock % kSquare == 0 && kLanes % kSquare == 0 && kSquarePlaces % kLanes == 0);
 
-// Where a search down the tree begins: at the root, or at nodes below which all is that counts.
-struct StartNodes {
-    static constexpr int kMost = 16;
-    std::array<std::uint32_t, kMost> nodes{0};
-    int count = 1;
+// Something convex, a segment or a box, as it is seen from a place.
+struct Sight {
+    float distance;
+    float x = 0.0f;  // the unit vector from its nearest point to the place
+    float y = 0.0f;
+
+    Sight(float fromX, float fromY) : distance(std::sqrt(fromX * fromX + fromY * fromY)) {
+        if (distance > 0.0f) {
+            x = fromX / distance;
+            y = fromY / distance;
+        }
+    }
 };
 
-// Places in texels from the origin, and what was found nearest to each.
-struct NearestPacket {
-    double originX;
-    double originY;
-    float middle;  // of the places along both axes
-    Lanes x;
-    Lanes y;
-    Lanes square;      // of the distance
-    LaneMask segment;  // its number; −1: none
+// By how much farther than the nearest something may be from the middle of a disc and still be the
+// nearest to another place of the disc, at x from the middle. The distance to something convex is
+// convex: at least d + g·x, where d is that from the middle and g the unit vector of its sight. The
+// distance to the nearest point of the nearest, sqrt(d² + 2d·g·x + x²), is at most
+// d + g·x + x²/(2d). So what is by bend = r²/(2d) and |g − g'|·r farther is never nearer within the
+// radius r; nor is what is by 2r farther.
+struct Margin {
+    float bend;
+    float most;
+
+    // With what floats may be off, for segments of up to 64 texels.
+    Margin(const Sight& nearest, float radius) {
+        const float off = 0x1p-18f * (nearest.distance + 2.0f * radius + 64.0f);
+        bend = 0.5f * radius * radius / nearest.distance + off;
+        most = 2.0f * radius + off;
+    }
 };
 
-// What the packet's places are told, in double precision: of each the segment that is nearest,
-// relative to it, and then the distance and the unit vector away from it.
-struct PacketAnswer {
-    std::array<double, kLanes> toX;
-    std::array<double, kLanes> toY;
-    std::array<double, kLanes> alongX;
-    std::array<double, kLanes> alongY;
-    std::array<double, kLanes> distance;
-    std::array<double, kLanes> awayX;
-    std::array<double, kLanes> awayY;
+// Segments as floats, each of their values in a row of its own.
+struct SegmentRows {
+    float* startX;
+    float* startY;
+    float* alongX;
+    float* alongY;
+    float* inverseSquare;
+    std::int32_t* number;
+};
+
+// Segments that may be the nearest to places of a square, in texels from the middle of its block.
+class SegmentList {
+  public:
+    SegmentRows rows{};
+    std::size_t count = 0;
+
+    // Makes room for so many, and for what is written behind them.
+    void reserve(std::size_t most) {
+        if (most <= room_)
+            return;
+        room_ = 2 * most;
+        const std::size_t length = room_ + kLanes;
+        std::vector<float> values(5 * length);
+        std::vector<std::int32_t> numbers(length);
+        std::size_t row = 0;
+        for (float** const start :
+             {&rows.startX, &rows.startY, &rows.alongX, &rows.alongY, &rows.inverseSquare}) {
+            std::copy_n(*start, count, &values[row]);
+            *start = &values[row];
+            row += length;
+        }
+        std::copy_n(rows.number, count, numbers.data());
+        rows.number = numbers.data();
+        values_ = std::move(values);
+        numbers_ = std::move(numbers);
+    }
+    void add(const BoundaryTree& tree, std::uint32_t number, const glm::dvec2& middle) {
+        const glm::dvec2 start = tree.segments[number].start - middle;
+        const auto& [alongX, alongY, inverseSquare] = tree.extents[number];
+        rows.startX[count] = static_cast<float>(start.x);
+        rows.startY[count] = static_cast<float>(start.y);
+        rows.alongX[count] = alongX;
+        rows.alongY[count] = alongY;
+        rows.inverseSquare[count] = inverseSquare;
+        rows.number[count] = static_cast<std::int32_t>(number);
+        ++count;
+    }
+    // It has so many. What is read behind them is endlessly far.
+    void end(std::size_t count_) {
+        constexpr float kFar = 1e30f;
+        count = count_;
+        std::fill_n(rows.startX + count, kLanes, kFar);
+    }
+
+  private:
+    std::vector<float> values_;
+    std::vector<std::int32_t> numbers_;
+    std::size_t room_ = 0;
+};
+
+// Of the places of a square, row by row.
+struct MeasuredSquare {
+    float distance[kSquarePlaces];
+    float awayX[kSquarePlaces];
+    float awayY[kSquarePlaces];
 };
 
 }  // namespace
@@ -60,18 +131,6 @@ struct PacketAnswer {
 namespace relievo::preprocess {
 namespace {
 
-NearestPacket packetAt(int i, int j) {
-    NearestPacket packet{
-        static_cast<double>(i), static_cast<double>(j), 0.5f * kSide, {}, {}, {}, {}};
-    for (int k = 0; k < kLanes; ++k) {
-        packet.x[k] = static_cast<float>(k % kSide) + 0.5f;
-        packet.y[k] = static_cast<float>(k / kSide) + 0.5f;
-        packet.square[k] = std::numeric_limits<float>::infinity();
-        packet.segment[k] = -1;
-    }
-    return packet;
-}
-
 // To the left of the way from start to end.
 glm::dvec2 normalOf(const BoundarySegment& segment) {
     const glm::dvec2 along = segment.end - segment.start;
@@ -79,143 +138,193 @@ glm::dvec2 normalOf(const BoundarySegment& segment) {
     return length > 0.0 ? glm::dvec2(along.y, -along.x) / length : glm::dvec2(0.0, -1.0);
 }
 
-void store(const BoundaryTree& tree, const NearestPacket& packet, int i, int j,
-           BoundaryDistances& distances) {
-    PacketAnswer answer;
-    for (int k = 0; k < kLanes; ++k) {
-        const auto lane = static_cast<std::size_t>(k);
-        const BoundarySegment& segment = tree.segments[static_cast<std::size_t>(packet.segment[k])];
-        answer.toX[lane] = i + k % kSide + 0.5 - segment.start.x;
-        answer.toY[lane] = j + k / kSide + 0.5 - segment.start.y;
-        answer.alongX[lane] = segment.end.x - segment.start.x;
-        answer.alongY[lane] = segment.end.y - segment.start.y;
+// From the nearest point of a box to a place.
+glm::vec2 awayFrom(const BoundaryTree::Node& node, const glm::vec2& place) {
+    return {place.x - std::clamp(place.x, node.left, node.right),
+            place.y - std::clamp(place.y, node.top, node.bottom)};
+}
+
+float squareOf(const glm::vec2& way) {
+    return glm::dot(way, way);
+}
+
+// Of the disc around the texel centres of a square.
+constexpr float radiusOf(int side) {
+    return 0.70711f * static_cast<float>(side - 1);
+}
+
+// The search of one block of texels after the other.
+class BlockSearch {
+  public:
+    BlockSearch(const BoundaryTree& tree, BoundaryDistances& distances)
+        : tree_(tree), distances_(distances) {}
+
+    // The block whose first texel is (i,j).
+    void measure(int i, int j) {
+        middle_ = glm::dvec2(i, j) + 0.5 * kBlock;
+        collect();
+        measureWithin(i, j, kBlock, 0);
     }
-    RELIEVO_CALL_KERNEL(measurePlaces, answer);
-    for (int row = j; row < std::min(j + kSide, distances.distance.height); ++row)
-        for (int column = i; column < std::min(i + kSide, distances.distance.width); ++column) {
-            const auto lane = static_cast<std::size_t>((row - j) * kSide + column - i);
-            const std::size_t texel = distances.distance.index(column, row);
-            distances.distance.texels[texel] = static_cast<float>(answer.distance[lane]);
-            glm::dvec2 away(answer.awayX[lane], answer.awayY[lane]);
-            if (answer.distance[lane] == 0.0)
-                away = normalOf(tree.segments[static_cast<std::size_t>(
-                    packet.segment[static_cast<int>(lane)])]);
-            distances.awayX.texels[texel] = static_cast<float>(away.x);
-            distances.awayY.texels[texel] = static_cast<float>(away.y);
+
+  private:
+    // The nearest to the middle of the block, searched for from the nearest to the last one on.
+    [[nodiscard]] Sight findNearest() {
+        float least = std::numeric_limits<float>::infinity();
+        glm::vec2 nearest(0.0f);
+        const auto look = [&](std::uint32_t number) {
+            const auto& [alongX, alongY, inverse] = tree_.extents[number];
+            const glm::vec2 along(alongX, alongY);
+            const glm::vec2 to(middle_ - tree_.segments[number].start);
+            const glm::vec2 away =
+                to - std::clamp(glm::dot(to, along) * inverse, 0.0f, 1.0f) * along;
+            if (squareOf(away) < least) {
+                least = squareOf(away);
+                nearest = away;
+                seed_ = number;
+            }
+        };
+        look(seed_);
+        const glm::vec2 middle(middle_);
+        stack_ = {0};
+        while (!stack_.empty()) {
+            const std::uint32_t number = stack_.back();
+            const BoundaryTree::Node& node = tree_.nodes[number];
+            stack_.pop_back();
+            if (squareOf(awayFrom(node, middle)) >= least)
+                continue;
+            for (std::uint32_t k = 0; k < node.count; ++k)
+                look(node.first + k);
+            if (node.count == 0)
+                pushChildren(number, middle);
         }
-}
-
-// A search of a packet that begins with some segments, as good as any where their number is −1.
-NearestPacket searched(const BoundaryTree& tree, const StartNodes& starts, int i, int j,
-                       std::initializer_list<std::int32_t> seeds) {
-    NearestPacket packet = packetAt(i, j);
-    std::int32_t last = -1;
-    for (const std::int32_t seed : seeds)
-        if (seed >= 0 && seed != last) {
-            RELIEVO_CALL_KERNEL(tryNearest, tree, seed, packet);
-            last = seed;
-        }
-    RELIEVO_CALL_KERNEL(findNearestSegments, tree, starts, packet);
-    return packet;
-}
-
-// Squared distance between a square with its first corner at (left, top) and a box.
-float squareToBox(float left, float top, float side, const BoundaryTree::Node& node) {
-    const float dx = std::max({node.left - (left + side), left - node.right, 0.0f});
-    const float dy = std::max({node.top - (top + side), top - node.bottom, 0.0f});
-    return dx * dx + dy * dy;
-}
-
-float squareToPlace(float x, float y, const BoundaryTree::Node& node) {
-    return squareToBox(x, y, 0.0f, node);
-}
-
-// A stack is emptied from its end: the nearest is looked at first.
-template <typename IsFarther>
-StartNodes nearestLast(StartNodes starts, const IsFarther& isFarther) {
-    std::stable_sort(starts.nodes.begin(), starts.nodes.begin() + starts.count, isFarther);
-    return starts;
-}
-
-// The nodes that a place of the block may have its nearest segment below, of one level of the tree
-// as far down as there is room for.
-StartNodes startsOf(const BoundaryTree& tree, int i, int j, const NearestPacket& middle) {
-    float square = 0.0f;
-    for (int k = 0; k < kLanes; ++k)
-        square = std::max(square, middle.square[k]);
-    // Nothing in the block is further from the places of the packet in its middle than this.
-    const float reach = 1.001f * (std::sqrt(square) + 0.7072f * kBlock) + 0.01f;
-    const auto left = static_cast<float>(i);
-    const auto top = static_cast<float>(j);
-    const auto isNear = [&](std::uint32_t node) {
-        return squareToBox(left, top, kBlock, tree.nodes[node]) <= reach * reach;
-    };
-    const auto isFarther = [&](std::uint32_t a, std::uint32_t b) {
-        const float half = 0.5f * kBlock;
-        return squareToPlace(left + half, top + half, tree.nodes[a]) >
-               squareToPlace(left + half, top + half, tree.nodes[b]);
-    };
-    StartNodes starts;
-    for (bool goesOn = true; goesOn;) {
-        StartNodes below;
-        below.count = 0;
-        goesOn = false;
-        for (int k = 0; k < starts.count; ++k) {
-            const std::uint32_t number = starts.nodes[static_cast<std::size_t>(k)];
-            const BoundaryTree::Node& node = tree.nodes[number];
-            const bool isLeaf = node.count > 0;
-            goesOn = goesOn || !isLeaf;
-            for (const std::uint32_t next : {isLeaf ? number : node.first, number + 1})
-                if ((!isLeaf || next == number) && isNear(next)) {
-                    if (below.count == StartNodes::kMost)
-                        return nearestLast(starts, isFarther);
-                    below.nodes[static_cast<std::size_t>(below.count++)] = next;
-                }
-        }
-        starts = below;
+        return Sight(nearest.x, nearest.y);
     }
-    return nearestLast(starts, isFarther);
-}
 
-// A row of blocks, in rows of packets: memory is filled from its start to its end.
+    // The nearer one is looked at first.
+    void pushChildren(std::uint32_t number, const glm::vec2& place) {
+        std::uint32_t first = number + 1;
+        std::uint32_t second = tree_.nodes[number].first;
+        if (squareOf(awayFrom(tree_.nodes[second], place)) <
+            squareOf(awayFrom(tree_.nodes[first], place)))
+            std::swap(first, second);
+        stack_.push_back(second);
+        stack_.push_back(first);
+    }
+
+    // All that may be the nearest to a place of the block.
+    void collect() {
+        constexpr float kRadius = radiusOf(kBlock);
+        const Sight nearest = findNearest();
+        const Margin margin(nearest, kRadius);
+        const auto isFar = [&](const BoundaryTree::Node& node) {
+            const glm::vec2 away = awayFrom(node, glm::vec2(middle_));
+            const Sight sight(away.x, away.y);
+            const float farther = sight.distance - nearest.distance;
+            const float beyond = farther - margin.bend;
+            const glm::vec2 turn(sight.x - nearest.x, sight.y - nearest.y);
+            return farther > margin.most ||
+                   (beyond > 0.0f && beyond * beyond > kRadius * kRadius * squareOf(turn));
+        };
+        SegmentList& list = lists_[0];
+        list.count = 0;
+        stack_ = {0};
+        while (!stack_.empty()) {
+            const std::uint32_t number = stack_.back();
+            const BoundaryTree::Node& node = tree_.nodes[number];
+            stack_.pop_back();
+            if (isFar(node))
+                continue;
+            list.reserve(list.count + node.count);
+            for (std::uint32_t k = 0; k < node.count; ++k)
+                list.add(tree_, node.first + k, middle_);
+            if (node.count == 0)
+                stack_.insert(stack_.end(), {node.first, number + 1});
+        }
+        list.end(list.count);
+    }
+
+    // The square whose first texel is (i,j), with the list of this level. As long as a list is long
+    // enough to be worth it, the quarters of a square have their own.
+    void measureWithin(int i, int j, int side, std::size_t level) {
+        if (i >= distances_.distance.width || j >= distances_.distance.height)
+            return;
+        if (side == kSquare) {
+            measureSquare(i, j, lists_[level]);
+            return;
+        }
+        const int half = side / 2;
+        for (const auto& [x, y] :
+             {std::pair{i, j}, {i + half, j}, {i, j + half}, {i + half, j + half}}) {
+            std::size_t next = level;
+            if (lists_[level].count > kLanes) {
+                ++next;
+                lists_[next].reserve(lists_[level].count);
+                RELIEVO_CALL_KERNEL(
+                    keepNearest, lists_[level], static_cast<float>(x + 0.5 * half - middle_.x),
+                    static_cast<float>(y + 0.5 * half - middle_.y), radiusOf(half), lists_[next]);
+            }
+            measureWithin(x, y, half, next);
+        }
+    }
+
+    void measureSquare(int i, int j, const SegmentList& list) {
+        std::int32_t numbers[kSquarePlaces];
+        MeasuredSquare measured;
+        RELIEVO_CALL_KERNEL(findNearest, tree_, list, i, j, numbers);
+        RELIEVO_CALL_KERNEL(measurePlaces, tree_, i, j, numbers, measured);
+        for (int k = 0; k < kSquarePlaces; ++k)
+            if (measured.distance[k] == 0.0f) {
+                const glm::dvec2 away =
+                    normalOf(tree_.segments[static_cast<std::size_t>(numbers[k])]);
+                measured.awayX[k] = static_cast<float>(away.x);
+                measured.awayY[k] = static_cast<float>(away.y);
+            }
+        store(measured.distance, i, j, distances_.distance);
+        store(measured.awayX, i, j, distances_.awayX);
+        store(measured.awayY, i, j, distances_.awayY);
+    }
+
+    static void store(const float* values, int i, int j, textures::Plane& plane) {
+        const int columns = std::min(kSquare, plane.width - i);
+        for (int row = j; row < std::min(j + kSquare, plane.height); ++row, values += kSquare)
+            if (columns == kSquare)  // what the compiler knows to be short takes two instructions
+                std::copy_n(values, kSquare, &plane.at(i, row));
+            else
+                std::copy_n(values, columns, &plane.at(i, row));
+    }
+
+    const BoundaryTree& tree_;
+    BoundaryDistances& distances_;
+    glm::dvec2 middle_{0.0};  // of the block
+    std::uint32_t seed_ = 0;
+    std::vector<std::uint32_t> stack_;
+    std::array<SegmentList, 3> lists_;  // of squares of half the side each
+};
+
 void measureBand(const BoundaryTree& tree, int top, BoundaryDistances& distances) {
-    constexpr int kMiddle = (kBlock - kSide) / 2;
-    const int width = distances.distance.width;
-    const int bottom = std::min(top + kBlock, distances.distance.height);
-    std::vector<StartNodes> starts;
-    std::int32_t seed = -1;
-    for (int i = 0; i < width; i += kBlock) {
-        const NearestPacket middle = searched(tree, {}, i + kMiddle, top + kMiddle, {seed});
-        seed = middle.segment[0];
-        starts.push_back(startsOf(tree, i, top, middle));
-    }
-    // What was nearest to the last place of each packet of the row before.
-    std::vector<std::int32_t> above(static_cast<std::size_t>((width + kSide - 1) / kSide), -1);
-    for (int j = top; j < bottom; j += kSide)
-        for (int i = 0; i < width; i += kSide) {
-            std::int32_t& seedAbove = above[static_cast<std::size_t>(i / kSide)];
-            const StartNodes& from = starts[static_cast<std::size_t>(i / kBlock)];
-            const NearestPacket packet = searched(tree, from, i, j, {seed, seedAbove});
-            seed = packet.segment[kLanes - kSide / 2];
-            seedAbove = packet.segment[kLanes - 1];
-            store(tree, packet, i, j, distances);
-        }
+    BlockSearch search(tree, distances);
+    for (int i = 0; i < distances.distance.width; i += kBlock)
+        search.measure(i, top);
 }
 
 }  // namespace
 
 BoundaryDistances measureBoundaryDistances(const BoundaryTree& tree, int width, int height,
-                                           const std::function<void(std::size_t)>& advance) {
+                                           const RowsMeasured& rowsMeasured) {
     using textures::Plane;
-    BoundaryDistances distances{Plane(width, height, std::numeric_limits<float>::infinity()),
-                                Plane(width, height), Plane(width, height)};
+    BoundaryDistances distances;
+    // Memory is touched for the first time here, which takes longer than to fill it.
+    tbb::parallel_invoke(
+        [&] { distances.distance = Plane(width, height, std::numeric_limits<float>::infinity()); },
+        [&] { distances.awayX = Plane(width, height); },
+        [&] { distances.awayY = Plane(width, height); });
     if (tree.nodes.empty())
         return distances;
     tbb::parallel_for(0, (height + kBlock - 1) / kBlock, [&](int band) {
-        measureBand(tree, band * kBlock, distances);
-        const int rows = std::min(kBlock, height - band * kBlock);
-        if (advance)
-            advance(static_cast<std::size_t>(rows) * static_cast<std::size_t>(width));
+        const int first = band * kBlock;
+        measureBand(tree, first, distances);
+        if (rowsMeasured)
+            rowsMeasured(distances, first, std::min(first + kBlock, height));
     });
     return distances;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 
 #include "preprocess/boundary_tree.h"
@@ -18,14 +17,16 @@ struct BoundaryDistances {
     textures::Plane awayY;
 };
 
+/// Called from any thread with rows [first, end) of a map that have just been measured, and that
+/// will not be touched again.
+using RowsMeasured = std::function<void(BoundaryDistances& distances, int first, int end)>;
+
 /// The exact distance from the centres of width × height texels to the nearest segment, up to the
-/// rounding of floats (2⁻²¹ of the distance and the length of a segment, and 10⁻⁶ texels). Packets
-/// of 4×4 texels go down the tree at once, from the nodes that count for the block of 32×32 they
-/// are in, and begin with the segment that was nearest beside them, so that few nodes are opened.
+/// rounding of floats (2⁻²¹ of the distance and the length of a segment, and 10⁻⁶ texels). A block
+/// of 32×32 texels collects what of the tree may be the nearest to any of its places, its quarters
+/// and theirs what of that may be so to theirs, and 8×8 places go through what is left at once.
 /// The same whatever the number of threads.
-///
-/// `advance`, when given, is called from any thread with the number of texels just finished.
 BoundaryDistances measureBoundaryDistances(const BoundaryTree& tree, int width, int height,
-                                           const std::function<void(std::size_t)>& advance = {});
+                                           const RowsMeasured& rowsMeasured = {});
 
 }  // namespace relievo::preprocess

@@ -1,5 +1,7 @@
 #include "preprocess/boundary_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,16 +40,27 @@ BoundaryTree::Node nodeOf(const Box& box) {
             0};
 }
 
-// Appends the tree of segments [first, last).
-void append(BoundaryTree& tree, std::size_t first, std::size_t last) {
+// How many nodes a tree of so many segments has: halved d times they are in 2ᵈ parts, of which as
+// many as the rest of the division has one more than the others.
+std::size_t nodesOf(std::size_t segments) {
+    std::size_t parts = 1;
+    while (segments / parts > BoundaryTree::kLeafSegments)
+        parts *= 2;
+    const bool isFull = segments / parts == BoundaryTree::kLeafSegments;
+    return 2 * parts - 1 + 2 * (isFull ? segments % parts : 0);
+}
+
+// Makes the tree of segments [first, last), whose root is node `number`.
+void build(BoundaryTree& tree, std::size_t number, std::size_t first, std::size_t last) {
+    constexpr std::size_t kManySegments = 1024;  // worth another task
     const std::span<BoundarySegment> all(tree.segments);
     const std::span<BoundarySegment> part = all.subspan(first, last - first);
     const Box box = boxOf(part);
-    const std::size_t node = tree.nodes.size();
-    tree.nodes.push_back(nodeOf(box));
-    tree.nodes[node].first = static_cast<std::uint32_t>(first);
+    BoundaryTree::Node& node = tree.nodes[number];
+    node = nodeOf(box);
     if (part.size() <= BoundaryTree::kLeafSegments) {
-        tree.nodes[node].count = static_cast<std::uint32_t>(part.size());
+        node.first = static_cast<std::uint32_t>(first);
+        node.count = static_cast<std::uint32_t>(part.size());
         return;
     }
     const int axis = box.most.x - box.least.x >= box.most.y - box.least.y ? 0 : 1;
@@ -56,9 +69,16 @@ void append(BoundaryTree& tree, std::size_t first, std::size_t last) {
                      [axis](const BoundarySegment& a, const BoundarySegment& b) {
                          return a.start[axis] + a.end[axis] < b.start[axis] + b.end[axis];
                      });
-    append(tree, first, first + half);
-    tree.nodes[node].first = static_cast<std::uint32_t>(tree.nodes.size());
-    append(tree, first + half, last);
+    const std::size_t second = number + 1 + nodesOf(half);
+    node.first = static_cast<std::uint32_t>(second);
+    const auto buildFirst = [&] { build(tree, number + 1, first, first + half); };
+    const auto buildSecond = [&] { build(tree, second, first + half, last); };
+    if (part.size() >= kManySegments) {
+        tbb::parallel_invoke(buildFirst, buildSecond);
+    } else {
+        buildFirst();
+        buildSecond();
+    }
 }
 
 BoundaryTree::Extent extentOf(const BoundarySegment& segment) {
@@ -73,8 +93,10 @@ BoundaryTree::Extent extentOf(const BoundarySegment& segment) {
 BoundaryTree buildBoundaryTree(std::vector<BoundarySegment> segments) {
     BoundaryTree tree;
     tree.segments = std::move(segments);
-    if (!tree.segments.empty())
-        append(tree, 0, tree.segments.size());
+    if (!tree.segments.empty()) {
+        tree.nodes.resize(nodesOf(tree.segments.size()));
+        build(tree, 0, 0, tree.segments.size());
+    }
     tree.extents.resize(tree.segments.size());
     std::ranges::transform(tree.segments, tree.extents.begin(), extentOf);
     return tree;

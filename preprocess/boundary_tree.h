@@ -17,7 +17,7 @@ struct BoundarySegment {
 /// points of many places beside each other: boundary_distance.h.
 struct BoundaryTree {
     /// Segments of a leaf, at most.
-    static constexpr int kLeafSegments = 4;
+    static constexpr int kLeafSegments = 16;
 
     struct Node {
         // The box of all that is below, rounded outwards.

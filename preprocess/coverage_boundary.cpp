@@ -1,10 +1,11 @@
 #include "preprocess/coverage_boundary.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <utility>
 
 #include "preprocess/boundary_reach.h"
@@ -36,7 +37,10 @@ bool isNearCentre(const glm::dvec2& place) {
 // A chain by as few segments as keep its points within the tolerance.
 class Simplifier {
   public:
-    Simplifier(const OutlineChain& chain, TexelSides& sides) : sides_(sides) {
+    Simplifier(const OutlineChain& chain, const TexelSides& sides,
+               std::vector<std::size_t>& changed)
+        : sides_(sides), changed_(changed) {
+        places_.reserve(chain.points.size() + 1);
         for (const OutlinePoint& point : chain.points)
             places_.push_back(point.place);
         if (chain.isClosed)
@@ -71,11 +75,12 @@ class Simplifier {
         const auto first = places_.begin() + static_cast<std::ptrdiff_t>(start);
         const auto last = places_.begin() + static_cast<std::ptrdiff_t>(end);
         if (end > start + 1 && std::any_of(first + 1, last, isNearCentre))
-            sides_.flipWithin(std::span(first, last + 1));
+            sides_.appendWithin(std::span(first, last + 1), changed_);
     }
 
     std::vector<glm::dvec2> places_;
-    TexelSides& sides_;
+    const TexelSides& sides_;
+    std::vector<std::size_t>& changed_;
 };
 
 // The segments of a repeated tile, wherever they are, with all their copies that count in it.
@@ -103,12 +108,21 @@ std::vector<BoundarySegment> withCopies(const std::vector<BoundarySegment>& segm
 
 CoverageBoundary coverageBoundary(const Plane& coverage, WrapMode wrap) {
     TexelSides sides(coverage, wrap);
-    std::vector<OutlineChain> chains = traceCoverage(coverage, wrap);
-    sharpenCorners(coverage, chains, sides);
+    std::vector<OutlineChain> chains = traceCoverage(coverage, sides);
+    struct Part {
+        std::vector<BoundarySegment> segments;
+        std::vector<std::size_t> changed;  // texels whose centres are on the other side now
+    };
+    std::vector<Part> parts(chains.size());
+    tbb::parallel_for(std::size_t{0}, chains.size(), [&](std::size_t k) {
+        sharpenCorners(coverage, sides, chains[k], parts[k].changed);
+        parts[k].segments = Simplifier(chains[k], sides, parts[k].changed).simplify();
+    });
     CoverageBoundary boundary;
-    for (const OutlineChain& chain : chains)
-        std::ranges::move(Simplifier(chain, sides).simplify(),
-                          std::back_inserter(boundary.segments));
+    for (const auto& [segments, changed] : parts) {
+        boundary.segments.insert(boundary.segments.end(), segments.begin(), segments.end());
+        sides.flip(changed);
+    }
     if (wrap == WrapMode::Repeat)
         boundary.segments = withCopies(boundary.segments, {coverage.width, coverage.height});
     boundary.inside = std::move(sides.inside);

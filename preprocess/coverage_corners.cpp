@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 
 namespace relievo::preprocess {
@@ -206,7 +207,7 @@ void straightenEnd(OutlinePoint& end, const OutlinePoint& last, const OutlinePoi
             continue;
         const glm::dvec2 along = last.place - before.place;
         const double share = (end.place[axis] - last.place[axis]) / along[axis];
-        if (!(share >= 0.0))  // it comes along the border
+        if (!(share >= 0.0 && std::isfinite(share)))  // it comes along the border
             return;
         const double aside = std::clamp(share * along[1 - axis], -kFarthestAside, kFarthestAside);
         end.place[1 - axis] = std::clamp(last.place[1 - axis] + aside, 0.0, size[1 - axis]);
@@ -259,7 +260,8 @@ glm::dvec2 settlement(const Corner& corner, double excess, const ChainPoints& po
 
 class Sharpener {
   public:
-    Sharpener(const Plane& coverage, TexelSides& sides) : coverage_(coverage), sides_(sides) {}
+    Sharpener(const Plane& coverage, const TexelSides& sides, std::vector<std::size_t>& changed)
+        : coverage_(coverage), sides_(sides), changed_(changed) {}
 
     void sharpen(OutlineChain& chain) {
         const ChainPoints points(chain);
@@ -269,28 +271,41 @@ class Sharpener {
         isRemoved_.assign(count, false);
         isKept_.assign(count, false);
         corners_.assign(count, std::nullopt);
-        linesInto_.clear();
-        linesOn_.clear();
-        for (int k = 0; k < points.count(); ++k) {
-            linesInto_.push_back(points.line(k, -1));
-            linesOn_.push_back(points.line(k, 1));
-        }
+        findDirections(points);
         const int longest = std::min(kMostBetween, points.count() - 3);
         for (int between = 0; between <= longest; ++between)
-            for (int k = 0; k < points.count(); ++k)
-                tryCorner(points, k, k + between + 1);
+            for (std::size_t k = 0; k < count; ++k)
+                if (glm::dot(into_[k], onwards_[k + static_cast<std::size_t>(between) + 1]) <=
+                    kLeastTurn)
+                    tryCorner(points, static_cast<int>(k), static_cast<int>(k) + between + 1);
         rebuild(points, chain);
     }
 
   private:
+    // Most pairs of directions turn too little for a corner, which is seen from them alone. A
+    // direction that is none compares with nothing.
+    void findDirections(const ChainPoints& points) {
+        const glm::dvec2 none(std::numeric_limits<double>::quiet_NaN());
+        const auto along = [&](const std::optional<Line>& line) {
+            return line ? line->along : none;
+        };
+        into_.clear();
+        onwards_.clear();
+        for (int k = 0; k < points.count(); ++k) {
+            into_.push_back(along(points.line(k, -1)));
+            onwards_.push_back(along(points.line(k, 1)));
+        }
+        for (std::size_t k = 0; k <= kMostBetween; ++k)
+            onwards_.push_back(points.exists(points.count()) ? onwards_[k] : none);
+    }
+
     // Between points `last` and `next`.
     void tryCorner(const ChainPoints& points, int last, int next) {
-        const std::optional<Line>& before = linesInto_[index(points, last)];
-        const std::optional<Line>& onwards = linesOn_[index(points, next)];
-        if (!before || !onwards || glm::dot(before->along, onwards->along) > kLeastTurn ||
-            !points.exists(next) || !isFree(points, last, next))
+        if (!isFree(points, last, next))
             return;
-        std::optional<Corner> corner = meet(*before, Line{points.place(next), onwards->along});
+        std::optional<Corner> corner =
+            meet(Line{points.place(last), into_[index(points, last)]},
+                 Line{points.place(next), onwards_[index(points, next)]});
         const std::optional<double> more =
             corner ? excess(*corner, points, last, next) : std::nullopt;
         if (!more)
@@ -353,7 +368,7 @@ class Sharpener {
         std::vector<glm::dvec2> loop{corner.place};
         for (int k = next; k >= last; --k)
             loop.push_back(points.place(k));
-        sides_.flipWithin(loop);
+        sides_.appendWithin(loop, changed_);
     }
 
     void rebuild(const ChainPoints& points, OutlineChain& chain) const {
@@ -369,10 +384,11 @@ class Sharpener {
     }
 
     const Plane& coverage_;
-    TexelSides& sides_;
-    // Of the points of the chain at hand.
-    std::vector<std::optional<Line>> linesInto_;  // from the points before
-    std::vector<std::optional<Line>> linesOn_;    // to the points behind
+    const TexelSides& sides_;
+    std::vector<std::size_t>& changed_;
+    // Of the points of the chain.
+    std::vector<glm::dvec2> into_;     // directions from the points before
+    std::vector<glm::dvec2> onwards_;  // to the points behind; a closed chain goes on a little
     std::vector<bool> isRemoved_;
     std::vector<bool> isKept_;
     std::vector<std::optional<glm::dvec2>> corners_;  // that follow them
@@ -380,17 +396,17 @@ class Sharpener {
 
 }  // namespace
 
-void sharpenCorners(const Plane& coverage, std::vector<OutlineChain>& chains, TexelSides& sides) {
-    Sharpener sharpener(coverage, sides);
-    for (OutlineChain& chain : chains)
-        if (sides.wrap == WrapMode::Mirror && !chain.isClosed && chain.points.size() > 2) {
-            MirroredChain mirrored(chain, coverage);
-            sharpener.sharpen(mirrored.chain());
-            chain.points = mirrored.inTile();
-        } else {
-            sharpener.sharpen(chain);
-            straightenEnds(chain, {coverage.width, coverage.height});
-        }
+void sharpenCorners(const Plane& coverage, const TexelSides& sides, OutlineChain& chain,
+                    std::vector<std::size_t>& changed) {
+    Sharpener sharpener(coverage, sides, changed);
+    if (sides.wrap == WrapMode::Mirror && !chain.isClosed && chain.points.size() > 2) {
+        MirroredChain mirrored(chain, coverage);
+        sharpener.sharpen(mirrored.chain());
+        chain.points = mirrored.inTile();
+    } else {
+        sharpener.sharpen(chain);
+        straightenEnds(chain, {coverage.width, coverage.height});
+    }
 }
 
 }  // namespace relievo::preprocess

@@ -1,5 +1,8 @@
 #include "preprocess/coverage_outline.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -36,12 +39,19 @@ constexpr Cell beyond(Cell cell, Side side) {
     return {cell.i + kColumn[side], cell.j + kRow[side]};
 }
 
+// Where a chain comes into a cell.
+struct Step {
+    Cell cell;
+    Side side;
+};
+
 class Tracer {
   public:
-    Tracer(const Plane& coverage, WrapMode wrap)
+    Tracer(const Plane& coverage, const TexelSides& sides)
         : coverage_(coverage),
-          wrap_(wrap),
-          repeats_(wrap == WrapMode::Repeat),
+          sides_(sides),
+          wrap_(sides.wrap),
+          repeats_(sides.wrap == WrapMode::Repeat),
           columns_(coverage.width + (repeats_ ? 0 : 1)),
           rows_(coverage.height + (repeats_ ? 0 : 1)),
           first_(repeats_ ? 0 : -1),
@@ -50,9 +60,13 @@ class Tracer {
     std::vector<OutlineChain> trace() {
         if (!repeats_)
             traceFromBorders();
-        for (int j = first_; j < first_ + rows_; ++j)
-            traceFromRow(j);
-        return std::move(chains_);
+        for (const std::vector<Cell>& cells : unevenCells())
+            for (const Cell& cell : cells)
+                traceFrom(cell);
+        std::vector<OutlineChain> chains(ways_.size());
+        tbb::parallel_for(std::size_t{0}, chains.size(),
+                          [&](std::size_t k) { chains[k] = chainOf(ways_[k]); });
+        return chains;
     }
 
   private:
@@ -60,7 +74,7 @@ class Tracer {
         return coverage_.at(textures::wrapIndex(i, coverage_.width, wrap_),
                             textures::wrapIndex(j, coverage_.height, wrap_));
     }
-    [[nodiscard]] bool isInside(int i, int j) const { return at(i, j) >= kHalf; }
+    [[nodiscard]] bool isInside(int i, int j) const { return sides_.isInside(i, j); }
 
     // Corners clockwise from the upper left one: a side lies between two that follow each other.
     [[nodiscard]] std::array<bool, 4> corners(Cell cell) const {
@@ -177,29 +191,42 @@ class Tracer {
                         static_cast<std::size_t>(i)];
     }
 
-    // Most cells have all corners inside or all outside: those within the tile are looked at many
-    // at a time.
-    void traceFromRow(int j) {
+    // The cells with corners on both sides, row by row, in bands of rows.
+    [[nodiscard]] std::vector<std::vector<Cell>> unevenCells() const {
+        constexpr int kBandRows = 32;
+        std::vector<std::vector<Cell>> bands(
+            static_cast<std::size_t>((rows_ + kBandRows - 1) / kBandRows));
+        tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t band) {
+            const int top = first_ + static_cast<int>(band) * kBandRows;
+            std::vector<std::uint8_t> isUneven(static_cast<std::size_t>(coverage_.width));
+            for (int j = top; j < std::min(top + kBandRows, first_ + rows_); ++j)
+                appendUneven(j, isUneven, bands[band]);
+        });
+        return bands;
+    }
+
+    // Those of a row. Nearly all within the tile are even, and looked at many at a time.
+    void appendUneven(int j, std::vector<std::uint8_t>& isUneven, std::vector<Cell>& cells) const {
         const int width = coverage_.width;
-        if (j < 0 || j + 1 >= coverage_.height) {
-            for (int i = first_; i < first_ + columns_; ++i)
-                traceFrom({i, j});
-            return;
-        }
-        const float* const upper = &coverage_.texels[coverage_.index(0, j)];
-        const float* const lower = upper + width;
-        isUneven_.resize(static_cast<std::size_t>(width));
-        for (int i = 0; i + 1 < width; ++i) {
-            const int inside = (upper[i] >= 0.5f) + (upper[i + 1] >= 0.5f) + (lower[i] >= 0.5f) +
-                               (lower[i + 1] >= 0.5f);
-            isUneven_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(inside & 3);
-        }
-        if (first_ < 0)
-            traceFrom({-1, j});
+        const auto append = [&](int i) {
+            const std::array<bool, 4> inside = corners({i, j});
+            if (inside[0] != inside[1] || inside[0] != inside[2] || inside[0] != inside[3])
+                cells.push_back({i, j});
+        };
+        const std::uint8_t* const upper =
+            &sides_.inside[coverage_.index(0, textures::wrapIndex(j, coverage_.height, wrap_))];
+        const std::uint8_t* const lower =
+            &sides_.inside[coverage_.index(0, textures::wrapIndex(j + 1, coverage_.height, wrap_))];
         for (int i = 0; i + 1 < width; ++i)
-            if (isUneven_[static_cast<std::size_t>(i)] != 0)
-                traceFrom({i, j});
-        traceFrom({width - 1, j});
+            isUneven[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(
+                (upper[i] ^ upper[i + 1]) | (upper[i] ^ lower[i]) | (upper[i] ^ lower[i + 1]));
+        if (first_ < 0)
+            append(-1);
+        const auto end = isUneven.begin() + (width - 1);
+        for (auto next = std::find(isUneven.begin(), end, 1); next != end;
+             next = std::find(next + 1, end, 1))
+            cells.push_back({static_cast<int>(next - isUneven.begin()), j});
+        append(width - 1);
     }
 
     void traceFrom(Cell cell) {
@@ -224,44 +251,55 @@ class Tracer {
         }
     }
 
-    // The chain that comes into `start` by `entry`.
+    // The chain that comes into `start` by `entry`: until it leaves the grid, or comes there again.
     void follow(const Cell start, const Side entry) {
-        OutlineChain& chain = chains_.emplace_back();
-        Cell cell = start;
-        Side side = entry;
+        std::vector<Step>& way = ways_.emplace_back();
+        Step step{start, entry};
         while (true) {
-            chain.points.push_back(pointOn(cell, side));
-            if (!isInGrid(cell)) {
-                chain.isClosed = false;
+            way.push_back(step);
+            if (!isInGrid(step.cell))
                 return;
-            }
-            std::uint8_t& visits = visitsOf(cell);
-            if ((visits & (1 << side)) != 0)
-                break;
-            visits = static_cast<std::uint8_t>(visits | (1 << side));
-            const Side exit = exitFrom(cell, side);
-            cell = beyond(cell, exit);
-            side = opposite(exit);
+            std::uint8_t& visits = visitsOf(step.cell);
+            if ((visits & (1 << step.side)) != 0)
+                return;
+            visits = static_cast<std::uint8_t>(visits | (1 << step.side));
+            const Side exit = exitFrom(step.cell, step.side);
+            step = {beyond(step.cell, exit), opposite(exit)};
         }
-        chain.period = chain.points.back().place - chain.points.front().place;
-        chain.points.pop_back();
+    }
+
+    [[nodiscard]] OutlineChain chainOf(const std::vector<Step>& way) const {
+        constexpr std::size_t kPointsAtOnce = 1024;
+        OutlineChain chain;
+        chain.points.resize(way.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, way.size(), kPointsAtOnce),
+                          [&](const tbb::blocked_range<std::size_t>& steps) {
+                              for (std::size_t k = steps.begin(); k < steps.end(); ++k)
+                                  chain.points[k] = pointOn(way[k].cell, way[k].side);
+                          });
+        chain.isClosed = isInGrid(way.back().cell);
+        if (chain.isClosed) {
+            chain.period = chain.points.back().place - chain.points.front().place;
+            chain.points.pop_back();
+        }
+        return chain;
     }
 
     const Plane& coverage_;
+    const TexelSides& sides_;
     WrapMode wrap_;
     bool repeats_;
     int columns_;  // of the grid of cells
     int rows_;
-    int first_;                           // cell of it
-    std::vector<std::uint8_t> isUneven_;  // cells of a row: not 0
-    std::vector<std::uint8_t> visited_;   // a bit for each side by which a chain came in
-    std::vector<OutlineChain> chains_;
+    int first_;                          // cell of it
+    std::vector<std::uint8_t> visited_;  // a bit for each side by which a chain came in
+    std::vector<std::vector<Step>> ways_;
 };
 
 }  // namespace
 
-std::vector<OutlineChain> traceCoverage(const Plane& coverage, WrapMode wrap) {
-    return Tracer(coverage, wrap).trace();
+std::vector<OutlineChain> traceCoverage(const Plane& coverage, const TexelSides& sides) {
+    return Tracer(coverage, sides).trace();
 }
 
 }  // namespace relievo::preprocess

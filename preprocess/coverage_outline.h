@@ -3,8 +3,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "preprocess/texel_sides.h"
 #include "textures/plane.h"
-#include "textures/wrap_mode.h"
 
 namespace relievo::preprocess {
 
@@ -38,7 +38,8 @@ struct OutlineChain {
 /// texels near, it is interpolated linearly.
 ///
 /// Chains of repeated tiles are closed and listed once; of others they end at the border of the
-/// tile. `coverage` in [0,1].
-std::vector<OutlineChain> traceCoverage(const textures::Plane& coverage, textures::WrapMode wrap);
+/// tile. `coverage` in [0,1]; `sides` are those of it, under the wrap mode that counts. The same
+/// for any number of threads: those find where chains may begin, and the points, not their order.
+std::vector<OutlineChain> traceCoverage(const textures::Plane& coverage, const TexelSides& sides);
 
 }  // namespace relievo::preprocess

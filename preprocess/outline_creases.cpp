@@ -1,5 +1,8 @@
 #include "preprocess/outline_creases.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -104,14 +107,18 @@ double reachOf(const OutlineCorner& corner) {
     return std::min(1.5 + 1.5 * std::tan(0.5 * corner.turn), kFarApart);
 }
 
-// The samples that a corner changes; `isAlone` is false where something else is too near.
-std::vector<Sample> samplesOf(const OutlineCorner& corner, const Distances& distances,
-                              bool& isAlone) {
+// The samples that a corner changes.
+struct CornerSamples {
+    std::vector<Sample> samples;
+    bool isAlone = true;  // nothing else is too near
+};
+
+CornerSamples samplesOf(const OutlineCorner& corner, const Distances& distances) {
     const double reach = reachOf(corner);
     const int most = static_cast<int>(std::ceil(reach));
     const int x = static_cast<int>(std::floor(corner.place.x));
     const int y = static_cast<int>(std::floor(corner.place.y));
-    std::vector<Sample> samples;
+    CornerSamples result;
     for (int j = std::max(0, y - most); j <= std::min(distances.plane.height - 1, y + most); ++j)
         for (int i = std::max(0, x - most); i <= std::min(distances.plane.width - 1, x + most);
              ++i) {
@@ -124,11 +131,11 @@ std::vector<Sample> samplesOf(const OutlineCorner& corner, const Distances& dist
                 continue;
             const double distance = corner.distance(place);
             const double code = need.ofCrease ? corner.code(place) : 0.0;
-            isAlone = isAlone && agrees(corner, distance, distances.at(i, j)) &&
-                      (!corner.isConvex || std::abs(code) < textures::kLeastReflexTexels);
-            samples.push_back({{i, j}, away, distance, code});
+            result.isAlone = result.isAlone && agrees(corner, distance, distances.at(i, j)) &&
+                             (!corner.isConvex || std::abs(code) < textures::kLeastReflexTexels);
+            result.samples.push_back({{i, j}, away, distance, code});
         }
-    return samples;
+    return result;
 }
 
 bool isInTile(const glm::dvec2& place, const Plane& plane) {
@@ -284,15 +291,23 @@ class CreaseTrail {
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, const Plane& distance,
                                WrapMode wrap, double leastTurn) {
     const Distances distances{distance, wrap};
-    const auto [corners, crowded] = outlineCorners(boundary, leastTurn);
+    const OutlineCorners outline = outlineCorners(boundary, leastTurn);
+    const std::vector<OutlineCorner>& corners = outline.corners;
     CreaseMap map(distances);
-    CreasedDistances result{distance, Plane(distance.width, distance.height), distance};
+    CreasedDistances result;
+    std::vector<CornerSamples> found(corners.size());
+    tbb::parallel_invoke(
+        [&] {
+            tbb::parallel_for(std::size_t{0}, corners.size(),
+                              [&](std::size_t k) { found[k] = samplesOf(corners[k], distances); });
+        },
+        [&] { result.distance = distance; }, [&] { result.step = distance; },
+        [&] { result.code = Plane(distance.width, distance.height); });
     std::vector<std::size_t> reflex;  // sharp ones of the tile
-    for (const glm::dvec2& place : crowded)
+    for (const glm::dvec2& place : outline.crowded)
         result.roundCorners += isInTile(place, distance) ? 1 : 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        bool isAlone = true;
-        const std::vector<Sample> samples = samplesOf(corners[k], distances, isAlone);
+        const auto& [samples, isAlone] = found[k];
         const bool isSharp = isAlone && map.accepts(k, samples);
         if (isSharp)
             map.write(k, samples);

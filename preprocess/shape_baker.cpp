@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "preprocess/coverage_boundary.h"
 #include "preprocess/distance_transform.h"
 #include "preprocess/inside_mask.h"
+#include "preprocess/oriented_distances.h"
 #include "preprocess/outline_creases.h"
 #include "preprocess/plane_shape.h"
 #include "preprocess/prewitt_gradient.h"
@@ -34,8 +36,6 @@ using textures::ShapeMap;
 // Segments are measured in pieces of so many texels: the nearest is chosen in floats, which are off
 // by what they are of the distance to the ends of a piece.
 constexpr double kLongestPiece = 64.0;
-constexpr double kRelativeError = 0x1p-21;
-constexpr double kAbsoluteError = 1e-6;  // texels
 
 constexpr std::size_t kTexelsAtOnce = 1 << 16;
 
@@ -67,15 +67,6 @@ Sampled sample(const Plane& coverage, const ShapeSource& source, const ShapePlan
             &coverage};
 }
 
-// A distance in texels as a float in tile widths that is nowhere too large.
-float towardsZero(double texels, int width) {
-    const double length = texels / width;
-    const auto rounded = static_cast<float>(length);
-    // The float before one above 0 has the number before it.
-    return rounded > length ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(rounded) - 1)
-                            : rounded;
-}
-
 // The greatest result of work(range of texels, greatest so far).
 template <typename Work>
 double greatestOver(const Plane& plane, const Work& work) {
@@ -84,18 +75,11 @@ double greatestOver(const Plane& plane, const Work& work) {
         [](double a, double b) { return std::max(a, b); });
 }
 
-// From distances of either sign in texels to what of them is sure, in tile widths. Returns the most
-// that true ones may be farther from 0.
+// makeDistancesSure for a whole map.
 double makeSure(Plane& distance) {
     const auto work = [&](const tbb::blocked_range<std::size_t>& texels, double most) {
-        for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
-            const double measured = std::abs(static_cast<double>(distance.texels[t]));
-            const double off = kRelativeError * (measured + kLongestPiece) + kAbsoluteError;
-            const float sure = towardsZero(std::max(measured - off, 0.0), distance.width);
-            most = std::max(most, (measured + off) / distance.width - static_cast<double>(sure));
-            distance.texels[t] = std::copysign(sure, distance.texels[t]);
-        }
-        return most;
+        const auto part = std::span(distance.texels).subspan(texels.begin(), texels.size());
+        return std::max(most, makeDistancesSure(part, distance.width, kLongestPiece));
     };
     return greatestOver(distance, work);
 }
@@ -115,8 +99,8 @@ double makeCreasesSure(ShapeMap& map) {
                 continue;
             }
             const double measured = step;
-            const double off =
-                kRelativeError * (std::abs(measured) + kLongestPiece) + kAbsoluteError;
+            const double off = kMeasuredRelativeError * (std::abs(measured) + kLongestPiece) +
+                               kMeasuredAbsoluteError;
             step = std::min(static_cast<float>((measured - 3.0 * off) / width), mostStep(map, t));
             most = std::max(most, (measured + off) / width - static_cast<double>(step));
         }
@@ -204,30 +188,20 @@ float halfPlaneCoverage(float distance, float normalX, float normalY) {
     return distance > 0.0f ? outside : 1.0f - outside;
 }
 
-// Signs, directions and coverage where the map has distances in texels and directions away from
-// the outline.
-void orient(const Sampled& shape, ShapeMap& map) {
-    const auto size = map.distance.texels.size();
-    map.shape = Plane(shape.width, shape.height);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, size, kTexelsAtOnce), [&](const auto& texels) {
-            for (std::size_t t = texels.begin(); t < texels.end(); ++t) {
-                const bool isInside = shape.inside[t] != 0;
-                float& distance = map.distance.texels[t];
-                if (isInside && distance > 0.0f) {
-                    distance = -distance;
-                    map.gradientX.texels[t] = -map.gradientX.texels[t];
-                    map.gradientY.texels[t] = -map.gradientY.texels[t];
-                }
-                float covered = 0.0f;
-                if (shape.coverage != nullptr)
-                    covered = shape.coverage->texels[t];
-                else
-                    covered = halfPlaneCoverage(distance, map.gradientX.texels[t],
-                                                map.gradientY.texels[t]);
-                map.shape.texels[t] = isInside ? std::max(covered, 0.5f) : std::min(covered, 0.5f);
-            }
-        });
+// Coverage of some rows, where distances are still those to the outline.
+void cover(const Sampled& shape, const BoundaryDistances& distances, std::size_t first,
+           std::span<float> covered) {
+    if (shape.coverage != nullptr) {
+        std::ranges::copy(std::span(shape.coverage->texels).subspan(first, covered.size()),
+                          covered.begin());
+        return;
+    }
+    for (std::size_t k = 0; k < covered.size(); ++k) {
+        const std::size_t t = first + k;
+        const float distance = distances.distance.texels[t];
+        covered[k] = halfPlaneCoverage(shape.inside[t] != 0 ? -distance : distance,
+                                       distances.awayX.texels[t], distances.awayY.texels[t]);
+    }
 }
 
 // Sharpens the corners of distances in texels.
@@ -237,9 +211,13 @@ void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
                       shape.coverage != nullptr ? kCornerOfBitmap : kCornerOfDrawing);
     if (found.sharpCorners == 0)
         return;
-    for (std::size_t t = 0; t < found.step.texels.size(); ++t)
-        if (found.step.texels[t] == found.distance.texels[t] && found.code.texels[t] == 0.0f)
-            found.step.texels[t] = kNotLowered;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.step.texels.size(), kTexelsAtOnce),
+                      [&](const tbb::blocked_range<std::size_t>& texels) {
+                          for (std::size_t t = texels.begin(); t < texels.end(); ++t)
+                              if (found.step.texels[t] == found.distance.texels[t] &&
+                                  found.code.texels[t] == 0.0f)
+                                  found.step.texels[t] = kNotLowered;
+                      });
     map.distance = std::move(found.distance);
     map.creases = {std::move(found.code), std::move(found.step)};
 }
@@ -252,6 +230,7 @@ Plane binaryShape(const Sampled& shape) {
 
 std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segments) {
     std::vector<BoundarySegment> pieces;
+    pieces.reserve(segments.size());
     for (const auto& [start, end] : segments) {
         const int count =
             1 + static_cast<int>(std::floor(glm::distance(start, end) / kLongestPiece));
@@ -266,6 +245,47 @@ std::vector<BoundarySegment> inPieces(const std::vector<BoundarySegment>& segmen
     return pieces;
 }
 
+ShapeMap measureOutline(const Sampled& shape, const ShapePlan& plan,
+                        const std::function<void(std::size_t)>& advance) {
+    ShapeMap map;
+    BoundaryTree tree;
+    tbb::parallel_invoke([&] { tree = buildBoundaryTree(inPieces(shape.boundary)); },
+                         [&] { map.shape = Plane(shape.width, shape.height); });
+    std::vector<double> farther(static_cast<std::size_t>(shape.height), 0.0);  // of rows
+    // While rows are in the caches.
+    const auto finish = [&](BoundaryDistances& distances, int first, int end) {
+        const auto start = distances.distance.index(0, first);
+        const auto count =
+            static_cast<std::size_t>(end - first) * static_cast<std::size_t>(shape.width);
+        const auto rowsOf = [&](auto& values) { return std::span(values).subspan(start, count); };
+        const OrientedTexels texels{rowsOf(shape.inside), rowsOf(distances.distance.texels),
+                                    rowsOf(distances.awayX.texels), rowsOf(distances.awayY.texels),
+                                    rowsOf(map.shape.texels)};
+        cover(shape, distances, start, texels.shape);
+        orientTexels(texels);
+        if (plan.isSigned && !plan.hasCreases())
+            farther[static_cast<std::size_t>(first)] =
+                makeDistancesSure(texels.distance, shape.width, kLongestPiece);
+        if (advance)
+            advance(count);
+    };
+    BoundaryDistances found = measureBoundaryDistances(tree, shape.width, shape.height, finish);
+    map.distance = std::move(found.distance);
+    map.gradientX = std::move(found.awayX);
+    map.gradientY = std::move(found.awayY);
+    if (!plan.isSigned) {
+        setUnsigned(shape, plan, map);
+    } else if (plan.hasCreases()) {  // of distances that are not rounded yet
+        crease(shape, plan, map);
+        map.slack = makeSure(map.distance);
+        if (map.isCreased())
+            map.slack += makeCreasesSure(map);
+    } else {
+        map.slack = std::ranges::max(farther);
+    }
+    return map;
+}
+
 ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
                  const std::function<void(std::size_t)>& advance) {
     if (shape.boundary.empty())
@@ -278,20 +298,7 @@ ShapeMap measure(const Sampled& shape, const ShapePlan& plan,
             advance(map.shape.texels.size());
         return map;
     }
-    BoundaryDistances found = measureBoundaryDistances(buildBoundaryTree(inPieces(shape.boundary)),
-                                                       shape.width, shape.height, advance);
-    ShapeMap map{std::move(found.distance), std::move(found.awayX), std::move(found.awayY), {}};
-    orient(shape, map);
-    if (!plan.isSigned) {
-        setUnsigned(shape, plan, map);
-        return map;
-    }
-    if (plan.hasCreases())
-        crease(shape, plan, map);
-    map.slack = makeSure(map.distance);
-    if (map.isCreased())
-        map.slack += makeCreasesSure(map);
-    return map;
+    return measureOutline(shape, plan, advance);
 }
 
 std::string gradientName(const ShapePlan& plan) {

@@ -1,5 +1,8 @@
 #include "preprocess/texel_sides.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -23,12 +26,16 @@ bool isWithin(std::span<const glm::dvec2> loop, const glm::dvec2& place) {
 
 TexelSides::TexelSides(const textures::Plane& coverage, textures::WrapMode wrap_)
     : width(coverage.width), height(coverage.height), wrap(wrap_), inside(coverage.texels.size()) {
-    std::ranges::transform(coverage.texels, inside.begin(), [](float covered) {
-        return static_cast<std::uint8_t>(covered >= 0.5f ? 1 : 0);
-    });
+    constexpr std::size_t kTexelsAtOnce = 1 << 16;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inside.size(), kTexelsAtOnce),
+                      [&](const tbb::blocked_range<std::size_t>& texels) {
+                          for (std::size_t t = texels.begin(); t < texels.end(); ++t)
+                              inside[t] = coverage.texels[t] >= 0.5f ? 1 : 0;
+                      });
 }
 
-void TexelSides::flipWithin(std::span<const glm::dvec2> loop) {
+void TexelSides::appendWithin(std::span<const glm::dvec2> loop,
+                              std::vector<std::size_t>& texels) const {
     glm::dvec2 least = loop.front();
     glm::dvec2 most = loop.front();
     for (const glm::dvec2& place : loop) {
@@ -40,14 +47,14 @@ void TexelSides::flipWithin(std::span<const glm::dvec2> loop) {
         most = glm::min(most, glm::dvec2(width, height) - 0.5);
     }
     for (int j = static_cast<int>(std::floor(least.y)); j <= most.y; ++j)
-        for (int i = static_cast<int>(std::floor(least.x)); i <= most.x; ++i) {
-            if (!isWithin(loop, glm::dvec2(i, j) + 0.5))
-                continue;
-            const auto row = static_cast<std::size_t>(textures::wrapIndex(j, height, wrap));
-            const auto column = static_cast<std::size_t>(textures::wrapIndex(i, width, wrap));
-            std::uint8_t& texel = inside[row * static_cast<std::size_t>(width) + column];
-            texel = static_cast<std::uint8_t>(1 - texel);
-        }
+        for (int i = static_cast<int>(std::floor(least.x)); i <= most.x; ++i)
+            if (isWithin(loop, glm::dvec2(i, j) + 0.5))
+                texels.push_back(index(i, j));
+}
+
+void TexelSides::flip(std::span<const std::size_t> texels) {
+    for (const std::size_t texel : texels)
+        inside[texel] = static_cast<std::uint8_t>(1 - inside[texel]);
 }
 
 }  // namespace relievo::preprocess

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
@@ -21,9 +22,23 @@ struct TexelSides {
     /// Those that are covered by at least a half.
     TexelSides(const textures::Plane& coverage, textures::WrapMode wrap_);
 
-    /// The centres within a loop (texels) change sides: an outline went around one side of it and
-    /// now goes around the other. Under repeat loops may leave the tile.
-    void flipWithin(std::span<const glm::dvec2> loop);
+    /// Of texel (i,j), for any integers i and j under the wrap mode.
+    [[nodiscard]] bool isInside(int i, int j) const noexcept { return inside[index(i, j)] != 0; }
+
+    /// Appends the numbers of the texels whose centres are within a loop (texels): an outline went
+    /// around one side of them and now goes around the other. Under repeat loops may leave the
+    /// tile.
+    void appendWithin(std::span<const glm::dvec2> loop, std::vector<std::size_t>& texels) const;
+
+    /// These texels change sides, as often as they are named.
+    void flip(std::span<const std::size_t> texels);
+
+  private:
+    [[nodiscard]] std::size_t index(int i, int j) const noexcept {
+        return static_cast<std::size_t>(textures::wrapIndex(j, height, wrap)) *
+                   static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(textures::wrapIndex(i, width, wrap));
+    }
 };
 
 }  // namespace relievo::preprocess

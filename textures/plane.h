@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "textures/large_pages.h"
+
 namespace relievo::textures {
 
 /// One channel of an image: width × height samples, row by row, row 0 at the top of the picture.
@@ -17,11 +19,11 @@ struct Plane {
     std::vector<float> texels;
 
     Plane() = default;
-    Plane(int width_, int height_, float value = 0.0f)
-        : width(width_),
-          height(height_),
-          texels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), value) {
+    Plane(int width_, int height_, float value = 0.0f) : width(width_), height(height_) {
         assert(width_ >= 0 && height_ >= 0);
+        const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+        reserveLargePages(texels, count);
+        texels.resize(count, value);
     }
 
     [[nodiscard]] std::size_t index(int i, int j) const noexcept {

@@ -85,6 +85,27 @@ TEST(BoundaryDistance, IsThatOfTheNearestSegment) {
     expectExact({{{3.0, 3.0}, {3.0, 3.0}}}, 7, 9);
 }
 
+// Many short segments: lists are long, and what is left out of them must never be the nearest, near
+// or far, beside an outline or in the middle of it.
+TEST(BoundaryDistance, OfRaggedOutlines) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> offset(-2.0, 2.0);
+    std::vector<BoundarySegment> ragged;
+    for (const double radius : {4.0, 20.0, 40.0}) {
+        const std::size_t first = ragged.size();
+        for (const BoundarySegment& segment :
+             circle({50.3, 40.8}, radius, static_cast<int>(8.0 * radius)))
+            ragged.push_back(segment);
+        for (std::size_t k = first; k < ragged.size(); ++k) {
+            ragged[k].end += glm::dvec2(offset(random), offset(random));
+            ragged[k + 1 < ragged.size() ? k + 1 : first].start = ragged[k].end;
+        }
+    }
+    expectExact(ragged, 101, 83);
+    expectExact(circle({150.5, 150.5}, 140.0, 2500), 67, 45);  // seen from outside and inside
+    expectExact(circle({33.5, 22.5}, 200.0, 3000), 67, 45);    // all as far from its middle
+}
+
 TEST(BoundaryDistance, FarFromTheMap) {
     expectExact(circle({5000.0, -7000.0}, 300.0, 2000), 16, 16);
 }

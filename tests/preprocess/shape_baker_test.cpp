@@ -240,6 +240,22 @@ TEST(ShapeBaker, OutlinesThatLeaveAClampedTile) {
         }
 }
 
+// Coverage of exactly a half puts several points of an outline into one texel centre, and outlines
+// leave the tile from there. None of them is lost: distances of neighbours differ by the texel
+// between them, and by less than another one where corners are put back.
+TEST(ShapeBaker, OutlinesThroughTexelCentresOfAClampedTile) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Plane coverage = blobs(41, 23, seed);
+        for (float& value : coverage.texels)
+            value = std::nearbyint(2.0f * value) / 2.0f;
+        const ShapeMap map = bakeShape(bitmapSource(coverage), planOf(WrapMode::Clamp));
+        for (int j = 0; j < 23; ++j)
+            for (int i = 0; i + 1 < 41; ++i)
+                ASSERT_NEAR(41.0 * map.distance.at(i, j), 41.0 * map.distance.at(i + 1, j), 2.0)
+                    << seed << " " << i << " " << j;
+    }
+}
+
 TEST(ShapeBaker, UnsignedDistancesAreThoseOfTheTransform) {
     const Polygons star = starOf({30.3, 20.1}, 6.0, 16.0, 5, 0.3);
     for (const WrapMode wrap : kWraps) {
