@@ -1,5 +1,7 @@
 #include "viewer/solid_window.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -9,6 +11,7 @@
 #include "viewer/solid_panel.h"
 #include "viewer/tessellation_count.h"
 #include "viewer/window_loop.h"
+#include "viewer/window_overlay.h"
 
 namespace relievo::viewer {
 namespace {
@@ -26,6 +29,11 @@ constexpr std::array kKeys = {
     KeyHelp{"Q, Esc", "quit"},
 };
 
+std::string noteOf(const SolidProgress& progress) {
+    return fmt::format("{} {} of {}…", progress.isOfShadows ? "shadows" : "objects", progress.done,
+                       progress.count);
+}
+
 class SolidContent final : public WindowContent {
   public:
     /// The context of the window must be current.
@@ -37,7 +45,9 @@ class SolidContent final : public WindowContent {
         zoomLimits_ = zoomLimitsAround(options_.camera);
     }
 
-    [[nodiscard]] Activity activity() const override { return Activity::None; }
+    [[nodiscard]] Activity activity() const override {
+        return frame_.progress() ? Activity::Drawing : Activity::None;
+    }
     void handleKey(const KeyPress&) override {}
     bool handleMouse(const PictureArea&) override { return false; }
     OrbitCamera& camera() override { return options_.camera; }
@@ -50,9 +60,13 @@ class SolidContent final : public WindowContent {
     }
 
     bool update(int width, int height) override { return frame_.update(options_, width, height); }
+    void finish() override { frame_.finish(); }
     void measure() override { frame_.measure(); }
     [[nodiscard]] const gl::Framebuffer& picture() const override { return frame_.picture(); }
-    void drawOver(const PictureArea&) override {}
+    void drawOver(const PictureArea& area) override {
+        if (const auto progress = frame_.progress())
+            drawNote(noteOf(*progress).c_str(), area);
+    }
     [[nodiscard]] std::span<const KeyHelp> keys() const override { return kKeys; }
 
   private:
@@ -67,6 +81,7 @@ class SolidContent final : public WindowContent {
 void runSolidWindow(const ViewOptions& options) {
     checkSolidOptions(options);
     WindowLoop loop(options);
+    loop.announce("opening…");
     SolidContent content(options);
     loop.run(content);
 }

@@ -110,6 +110,7 @@ class ReliefContent final : public WindowContent {
     bool update(int width, int height) override {
         return frame_.update(settings_, width, height, exact_);
     }
+    void finish() override {}
     void measure() override { frame_.measure(settings_, exact_.frame()); }
     [[nodiscard]] const gl::Framebuffer& picture() const override { return frame_.picture(); }
     void drawOver(const PictureArea& area) override {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -83,14 +86,38 @@ class SolidFrameTest : public testing::Test {
         options_.techniques = {"solid"};
     }
 
+    static bool isDrawnAgain(SolidFrame& frame, const ViewOptions& options, int height = kSide) {
+        return frame.update(options, kSide, height) || frame.finish();
+    }
+
     static std::vector<float> pictureOf(SolidFrame& frame, const ViewOptions& options) {
-        frame.update(options, kSide, kSide);
+        isDrawnAgain(frame, options);
+        EXPECT_FALSE(frame.progress());
         return frame.picture().read(0);
     }
 
     static std::vector<float> freshPicture(const ViewOptions& options) {
         SolidFrame frame(options);
         return pictureOf(frame, options);
+    }
+
+    // Of three objects.
+    void openScene() {
+        std::ofstream(folder_.file("ell.json")) << R"({
+            "shapes": {"ell": {"svg": "ell.svg", "size": 32}},
+            "boxes": [{"size": [1, 0.75, 0.5], "position": [-0.4, 0, 0.25], "rotation": [0, 0, 30],
+                       "repeat": [{"count": 2, "step": [0.8, 0.3, 0]}],
+                       "parts": [{"shape": "ell", "kind": "extrusion"}]}],
+            "quads": [{"size": [2, 2]}]})";
+        options_.files = {folder_.file("ell.json")};
+    }
+
+    // How often a window has to show the frame until the picture is finished.
+    static int callsUntilFinished(SolidFrame& frame, const ViewOptions& options) {
+        int calls = 1;
+        while (!frame.update(options, kSide, kSide))
+            ++calls;
+        return calls;
     }
 
     tests::ScratchFolder folder_;
@@ -122,12 +149,12 @@ TEST_F(SolidFrameTest, AnEditedShapeIsTheOneThatWouldBeOpened) {
 
 TEST_F(SolidFrameTest, IsDrawnAgainOnlyForAReason) {
     SolidFrame frame(options_);
-    EXPECT_TRUE(frame.update(options_, kSide, kSide));
-    EXPECT_FALSE(frame.update(options_, kSide, kSide));
-    EXPECT_TRUE(frame.update(options_, kSide, kSide + 1));
+    EXPECT_TRUE(isDrawnAgain(frame, options_));
+    EXPECT_FALSE(isDrawnAgain(frame, options_));
+    EXPECT_TRUE(isDrawnAgain(frame, options_, kSide + 1));
     options_.solid.bevel = 0.1;
-    EXPECT_TRUE(frame.update(options_, kSide, kSide + 1));
-    EXPECT_FALSE(frame.update(options_, kSide, kSide + 1));
+    EXPECT_TRUE(isDrawnAgain(frame, options_, kSide + 1));
+    EXPECT_FALSE(isDrawnAgain(frame, options_, kSide + 1));
 }
 
 TEST_F(SolidFrameTest, WhatCannotBeShownIsSaidAndPassesOver) {
@@ -155,23 +182,21 @@ TEST_F(SolidFrameTest, WhatCannotBeShownIsSaidAndPassesOver) {
 TEST_F(SolidFrameTest, TheWorkOfAShapeIsCounted) {
     SolidFrame frame(options_);
     frame.update(options_, kSide, kSide);
-    EXPECT_FALSE(frame.readings().work);
+    frame.measure();
+    EXPECT_FALSE(frame.readings().work) << "of a picture that is not there yet";
+    frame.finish();
     frame.measure();
     ASSERT_TRUE(frame.readings().work);
     EXPECT_GT(frame.readings().work->meanFetches, 0.0);
     EXPECT_EQ(frame.readings().work->exhausted, 0u);
     options_.parameters = {{"", "solid-steps", 1}};
-    frame.update(options_, kSide, kSide);
+    isDrawnAgain(frame, options_);
     frame.measure();
     EXPECT_GT(frame.readings().work->exhausted, 0u);
 }
 
 TEST_F(SolidFrameTest, AScenesShadowsFollowTheLight) {
-    std::ofstream(folder_.file("ell.json")) << R"({
-        "shapes": {"ell": {"svg": "ell.svg", "size": 32}},
-        "boxes": [{"size": [1, 0.75, 0.5], "parts": [{"shape": "ell", "kind": "extrusion"}]}],
-        "quads": [{"size": [2, 2], "position": [0, 0, -0.25]}]})";
-    options_.files = {folder_.file("ell.json")};
+    openScene();
     SolidFrame frame(options_);
     const std::vector<float> before = pictureOf(frame, options_);
     options_.light.x += 120.0f;
@@ -179,6 +204,79 @@ TEST_F(SolidFrameTest, AScenesShadowsFollowTheLight) {
     EXPECT_NE(after, before);
     EXPECT_EQ(after, freshPicture(options_));
     options_.camera.azimuth += 20.0f;
+    EXPECT_EQ(pictureOf(frame, options_), freshPicture(options_));
+}
+
+double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        sum += std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k]));
+    return sum / static_cast<double>(a.size());
+}
+
+constexpr std::chrono::milliseconds kNoPatience{0};
+constexpr int kObjects = 3;
+
+TEST_F(SolidFrameTest, BoxesStandInUntilTheFirstPictureIsDrawnObjectByObject) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    ASSERT_TRUE(frame.progress());
+    EXPECT_TRUE(frame.progress()->isOfShadows);
+    EXPECT_EQ(frame.progress()->done, 0u);
+    EXPECT_EQ(frame.progress()->count, static_cast<std::size_t>(kObjects));
+    const std::vector<float> standIns = frame.picture().read(0);
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    EXPECT_EQ(frame.progress()->done, 1u);
+    EXPECT_EQ(frame.picture().read(0), standIns) << "a picture of half of the scene";
+    EXPECT_EQ(callsUntilFinished(frame, options_), 2 * kObjects - 1);
+    const std::vector<float> finished = frame.picture().read(0);
+    EXPECT_FALSE(frame.progress());
+
+    SolidSession session(options_, materials::findSolidTechnique("solid"));
+    gl::Framebuffer target(kSide, kSide, std::array<GLenum, 1>{GL_RGBA8});
+    session.draw(options_, target);
+    EXPECT_EQ(finished, target.read(0)) << "not what a run without a window writes";
+    FrameRenderer::clear({}, target);
+    EXPECT_LT(difference(standIns, finished), 0.5 * difference(target.read(0), finished));
+    EXPECT_NE(standIns, finished);
+}
+
+TEST_F(SolidFrameTest, ADraftFollowsTheCamera) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    const std::vector<float> before = pictureOf(frame, options_);
+    options_.camera.azimuth += 40.0f;
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    const std::vector<float> draft = frame.picture().read(0);
+    EXPECT_EQ(callsUntilFinished(frame, options_), kObjects - 1) << "shadows are there already";
+    const std::vector<float> after = frame.picture().read(0);
+    EXPECT_EQ(after, freshPicture(options_));
+    EXPECT_NE(draft, after);
+    EXPECT_LT(difference(draft, after), 0.5 * difference(before, after));
+}
+
+TEST_F(SolidFrameTest, AnotherLightLeavesThePictureUntilItIsDrawn) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    const std::vector<float> before = pictureOf(frame, options_);
+    options_.light.x += 120.0f;
+    for (int call = 1; call < 2 * kObjects; ++call) {
+        EXPECT_FALSE(frame.update(options_, kSide, kSide));
+        EXPECT_EQ(frame.picture().read(0), before);
+    }
+    EXPECT_TRUE(frame.update(options_, kSide, kSide));
+    EXPECT_EQ(frame.picture().read(0), freshPicture(options_));
+}
+
+TEST_F(SolidFrameTest, ShadowsGoOnWhileTheCameraMoves) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    frame.update(options_, kSide, kSide);
+    frame.update(options_, kSide, kSide);
+    options_.camera.azimuth += 40.0f;
+    frame.update(options_, kSide, kSide);
+    EXPECT_EQ(frame.progress()->done, 1u);
     EXPECT_EQ(pictureOf(frame, options_), freshPicture(options_));
 }
 
