@@ -158,13 +158,7 @@ void SolidSession::stageShape(const ViewOptions& options, const SolidPlace& plac
     stage_ = std::move(stage);
     place_ = place;
     if (!options.solid.wallRelief.empty())
-        putReliefOnWalls(options.solid);
-}
-
-void SolidSession::putReliefOnWalls(const SolidOptions& solid) {
-    const auto maps = std::make_shared<materials::ReliefMaps>(
-        textures::readMapLevels(solid.wallRelief), solid.wallRelief.string());
-    material_->relief.emplace(maps, materials::findTechnique(solid.wallTechnique));
+        stage_->putRelief(*material_, options.solid.wallRelief, options.solid.wallTechnique);
 }
 
 void SolidSession::setParameters(const std::vector<ParameterSetting>& settings) {

@@ -76,7 +76,6 @@ class SolidSession {
   private:
     void followShape(const ViewOptions& options);
     void stageShape(const ViewOptions& options, const SolidPlace& place);
-    void putReliefOnWalls(const SolidOptions& solid);
     void setParameters(const std::vector<ParameterSetting>& settings);
     std::shared_ptr<const textures::ShapeMap> shapeFor(const ViewOptions& options);
     const ShadowMap* shadowsFor(const ViewOptions& options);

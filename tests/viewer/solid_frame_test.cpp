@@ -1,6 +1,7 @@
 // What the window does with the options of shapes and scenes, without a window.
 #include "viewer/solid_frame.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,7 +14,11 @@
 
 #include "gl/context.h"
 #include "tests/commands/process.h"
+#include "tests/textures/temporary_folder.h"
+#include "tests/viewer/map_fixture.h"
+#include "tests/viewer/relief_scene.h"
 #include "textures/input_error.h"
+#include "textures/map_file.h"
 
 namespace relievo::viewer {
 namespace {
@@ -101,11 +106,14 @@ class SolidFrameTest : public testing::Test {
         return pictureOf(frame, options);
     }
 
-    // Of three objects.
-    void openScene() {
-        std::ofstream(folder_.file("ell.json")) << R"({
+    // Of three objects; `box` is what else its boxes say.
+    void openScene(const std::string& box = "") {
+        std::ofstream(folder_.file("ell.json"))
+            << R"({
             "shapes": {"ell": {"svg": "ell.svg", "size": 32}},
-            "boxes": [{"size": [1, 0.75, 0.5], "position": [-0.4, 0, 0.25], "rotation": [0, 0, 30],
+            "boxes": [{)"
+            << box
+            << R"("size": [1, 0.75, 0.5], "position": [-0.4, 0, 0.25], "rotation": [0, 0, 30],
                        "repeat": [{"count": 2, "step": [0.8, 0.3, 0]}],
                        "parts": [{"shape": "ell", "kind": "extrusion"}]}],
             "quads": [{"size": [2, 2]}]})";
@@ -278,6 +286,52 @@ TEST_F(SolidFrameTest, ShadowsGoOnWhileTheCameraMoves) {
     frame.update(options_, kSide, kSide);
     EXPECT_EQ(frame.progress()->done, 1u);
     EXPECT_EQ(pictureOf(frame, options_), freshPicture(options_));
+}
+
+TEST_F(SolidFrameTest, AScenesBoxesHaveReliefs) {
+    tests::writeSampleMaps(folder_.file("noise.exr"), "noise", 32, 32);
+    const auto picture = [&](const std::string& relief) {
+        openScene(relief);
+        return freshPicture(options_);
+    };
+    const auto bare = picture("");
+    EXPECT_LT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0}, )"), bare), 1e-3);
+    const auto deep = picture(R"("relief": {"map": "noise.exr", "depth": 0.2}, )");
+    EXPECT_GT(difference(deep, bare), 5e-3);
+    EXPECT_GT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0.2,
+                                                "technique": "normal"}, )"),
+                         deep),
+              1e-3);
+    EXPECT_GT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0.2},
+                                    "pictureTiles": [3, 3], )"),
+                         deep),
+              1e-3);
+}
+
+// Deep below the wall, but nothing else: it can only be seen by shadows that it must not be in.
+TEST_F(SolidFrameTest, AReliefIsInTheLightOfItsWall) {
+    textures::DepthMap even;
+    even.depth = textures::Plane(16, 16, 0.5f);
+    textures::writeMapFile(folder_.file("even.exr"), bakeMaps(even),
+                           textures::StorageFormat::Float);
+    openScene();
+    const std::vector<float> bare = freshPicture(options_);
+    openScene(R"("relief": {"map": "even.exr", "depth": 0.5}, )");
+    EXPECT_LT(difference(freshPicture(options_), bare), 1e-4);
+}
+
+TEST_F(SolidFrameTest, AReliefThatCannotBeShownIsSaidWithItsPlace) {
+    tests::writeSampleMaps(folder_.file("flat.exr"), "noise", 8, 8, tests::ConeChannel::Missing);
+    for (const auto& [relief, problem] : std::vector<std::pair<std::string, std::string>>{
+             {R"({"map": "none.exr"})", "none.exr"},
+             {R"({"map": "ell.svg"})", "ell.svg"},
+             {R"({"map": "flat.exr", "technique": "cone"})", "cone"},
+             {R"({"map": "flat.exr", "technique": "linea"})", "unknown technique \"linea\""}}) {
+        openScene("\"relief\": " + relief + ", ");
+        const std::string error = textures::errorOf([&] { SolidFrame{options_}; });
+        EXPECT_THAT(error, testing::StartsWith(folder_.file("ell.json") + ": boxes[0].relief: "));
+        EXPECT_THAT(error, testing::HasSubstr(problem));
+    }
 }
 
 TEST(SolidPlace, SquareTexelsAndTilesOfAllKinds) {
