@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -15,19 +14,6 @@
 
 namespace relievo::viewer {
 namespace {
-
-constexpr std::array kKeys = {
-    KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},
-    KeyHelp{"R, double click", "reset the view"},
-    KeyHelp{"left drag", "orbit"},
-    KeyHelp{"right drag", "pan (middle drag too)"},
-    KeyHelp{"wheel", "zoom"},
-    KeyHelp{"Ctrl + click", "type a value into a slider"},
-    KeyHelp{"right click", "default value of a technique's slider"},
-    KeyHelp{"H", "hide or show the panel"},
-    KeyHelp{"F1", "this help"},
-    KeyHelp{"Q, Esc", "quit"},
-};
 
 std::string noteOf(const SolidProgress& progress) {
     return fmt::format("{} {} of {}…", progress.isOfShadows ? "shadows" : "objects", progress.done,
@@ -67,7 +53,7 @@ class SolidContent final : public WindowContent {
         if (const auto progress = frame_.progress())
             drawNote(noteOf(*progress).c_str(), area);
     }
-    [[nodiscard]] std::span<const KeyHelp> keys() const override { return kKeys; }
+    [[nodiscard]] std::span<const KeyHelp> keys() const override { return {}; }
 
   private:
     ViewOptions options_;

@@ -61,7 +61,7 @@ class WindowContent {
     [[nodiscard]] virtual const gl::Framebuffer& picture() const = 0;
     /// Draws what lies over the picture.
     virtual void drawOver(const PictureArea& area) = 0;
-    /// The list of keys, the window's own included.
+    /// The keys that the help lists besides the window's own.
     [[nodiscard]] virtual std::span<const KeyHelp> keys() const = 0;
 };
 
