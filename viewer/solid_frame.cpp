@@ -93,13 +93,14 @@ void SolidFrame::begin(const ViewOptions& options, int width, int height) {
 // Shows at once roughly what next_ will show, unless what is shown is as near to it.
 void SolidFrame::showDraft() {
     const bool fits = picture_.width() == next_.width() && picture_.height() == next_.height();
-    if (fits && shownFrom_ == asked_->camera)
+    const bool isSame = fits && shownFrom_ == asked_->camera;
+    if (isSame && (hasPrograms_ || session_->progress().isOfShadows))
         return;
     if (!fits)
         picture_ = makeTarget(next_.width(), next_.height());
     shownFrom_ = asked_->camera;
     if (!hasPrograms_) {
-        session_->drawStandIns(*asked_, picture_);
+        session_->showUnfinished(picture_);
         return;
     }
     gl::Framebuffer draft = makeTarget(std::max(1, next_.width() / kCoarseness),

@@ -35,7 +35,7 @@ class SolidFrame {
     ///
     /// Until then the picture is the last one, or, where it would be of another size or seen from
     /// elsewhere, a draft of few pixels; before the first one, whose programs have to be compiled,
-    /// the surfaces that the solids are in.
+    /// what is drawn of it, and the surfaces that the other solids are in.
     bool update(const ViewOptions& options, int width, int height);
     /// Does the rest of that work. Returns whether there was any.
     bool finish();

@@ -230,12 +230,20 @@ void SolidSession::draft(const ViewOptions& options, gl::Framebuffer& target) {
     frames_.draw(stage_->objects(options.shading), view, target);
 }
 
-void SolidSession::drawStandIns(const ViewOptions& options, gl::Framebuffer& target) {
-    std::vector<SceneObject> objects = stage_->objects(options.shading);
-    for (SceneObject& object : objects)
+void SolidSession::showUnfinished(const gl::Framebuffer& shown) {
+    const int width = shown.width();
+    const int height = shown.height();
+    glBlitNamedFramebuffer(steps_->target->id(), shown.id(), 0, 0, width, height, 0, 0, width,
+                           height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    std::vector<SceneObject> missing(
+        steps_->objects.begin() + static_cast<std::ptrdiff_t>(steps_->drawn),
+        steps_->objects.end());
+    for (SceneObject& object : missing)
         if (const materials::SolidMaterial* solid = std::exchange(object.solid, nullptr))
             object.plainColor = solid->looks.front().color;
-    frames_.draw(objects, viewOf(options, target), target);
+    FrameView view = steps_->view;
+    view.shadowMap = nullptr;
+    frames_.add(missing, view, shown);
 }
 
 MeasuredFrame SolidSession::measure(const ViewOptions& options, int width, int height) {

@@ -55,8 +55,10 @@ class SolidSession {
     [[nodiscard]] SolidProgress progress() const;
     /// Draws all at once, with the shadows that are there already.
     void draft(const ViewOptions& options, gl::Framebuffer& target);
-    /// Draws what the solids are in, boxes and other surfaces, which needs no program of a search.
-    void drawStandIns(const ViewOptions& options, gl::Framebuffer& target);
+    /// Copies what is drawn into `shown`, which has the size and the format of the target. For what
+    /// is missing stand the boxes, or other surfaces, that the solids are in: they need no program
+    /// of a search.
+    void showUnfinished(const gl::Framebuffer& shown);
     /// Steps and lookups of the searches of a frame of that size; of a shape alone.
     MeasuredFrame measure(const ViewOptions& options, int width, int height);
     /// How far such a frame is from the exact hits of its rays.
