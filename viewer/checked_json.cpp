@@ -71,9 +71,12 @@ CheckedJson CheckedJson::readFile(const std::filesystem::path& file) {
     }
 }
 
+std::string CheckedJson::place() const {
+    return path_.empty() ? file_ : fmt::format("{}: {}", file_, path_);
+}
+
 void CheckedJson::fail(const std::string& problem) const {
-    throw textures::InputError(
-        fmt::format("{}: {}{}{}", file_, path_, path_.empty() ? "" : ": ", problem));
+    throw textures::InputError(fmt::format("{}: {}", place(), problem));
 }
 
 void CheckedJson::failChoice(const std::string& word,

@@ -29,6 +29,8 @@ class CheckedJson {
     /// The value of a whole file; comments as in C++ are allowed, a key twice in an object is not.
     static CheckedJson readFile(const std::filesystem::path& file);
 
+    /// The file and where in it the value stands, `FILE: boxes[2].size`: how every error begins.
+    [[nodiscard]] std::string place() const;
     /// Throws for this value; `problem` is the rest of the sentence.
     [[noreturn]] void fail(const std::string& problem) const;
 

@@ -42,10 +42,14 @@ bool isSearched(const SceneObject& object) {
     return object.material || object.solid;
 }
 
-void prepare(gl::Framebuffer& target, const DepthConvention& depth) {
+void clearDepths(gl::Framebuffer& target, const DepthConvention& depth) {
+    target.clearDepth(fallsWithDistance(depth) ? 0.0f : 1.0f);
+}
+
+// All that drawing needs of the context's state, so that others may use it between two objects.
+void prepare(const gl::Framebuffer& target, const DepthConvention& depth) {
     const bool falls = fallsWithDistance(depth);
     target.bind();
-    target.clearDepth(falls ? 0.0f : 1.0f);
     glClipControl(GL_LOWER_LEFT, depth.zeroToOne ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glDepthRangef(depth.range.x, depth.range.y);
     glDepthFunc(falls ? GL_GREATER : GL_LESS);
@@ -242,8 +246,18 @@ void FrameRenderer::drawCoverage(const SurfaceBuffers& surface, const Camera& ca
 
 void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& view,
                          gl::Framebuffer& target) {
-    prepare(target, view.camera.depth);
+    clear(view.camera, target);
+    add(objects, view, target);
+}
+
+void FrameRenderer::clear(const Camera& camera, gl::Framebuffer& target) {
+    clearDepths(target, camera.depth);
     target.clearColor(0, 0.09f, 0.09f, 0.1f, 1.0f);
+}
+
+void FrameRenderer::add(std::span<const SceneObject> objects, const FrameView& view,
+                        const gl::Framebuffer& target) {
+    prepare(target, view.camera.depth);
     drawObjects(objects, view, target, [&](const SceneObject& object, int) -> gl::Program& {
         std::vector<shaders::Define> defines = texturesOf(object).defines(object.shading);
         if (view.markExhausted)
@@ -265,6 +279,7 @@ void FrameRenderer::draw(std::span<const SceneObject> objects, const FrameView& 
 MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, int width,
                                      int height) {
     gl::Framebuffer target = makeMeasuredTarget(width, height);
+    clearDepths(target, view.camera.depth);
     prepare(target, view.camera.depth);
     // Misses are recorded as well: they are as far away as what the depth buffer was cleared to.
     glDepthFunc(fallsWithDistance(view.camera.depth) ? GL_GEQUAL : GL_LEQUAL);
@@ -291,6 +306,7 @@ MeasuredFrame FrameRenderer::measure(SceneObject object, const FrameView& view, 
 VisibleFrame FrameRenderer::show(std::span<const SceneObject> objects, const FrameView& view,
                                  int width, int height) {
     gl::Framebuffer target = makeVisibleTarget(width, height);
+    clearDepths(target, view.camera.depth);
     prepare(target, view.camera.depth);
     target.clearColor(RELIEVO_VISIBLE_POINT, 0, 0, 0, 0);
     target.clearColor(RELIEVO_VISIBLE_LIGHT, 0, 0, 0, 0);
@@ -311,17 +327,27 @@ VisibleFrame FrameRenderer::show(std::span<const SceneObject> objects, const Fra
 
 ShadowMap FrameRenderer::castShadows(std::span<const SceneObject> objects, const Camera& light,
                                      int size) {
+    ShadowMap shadow = emptyShadowMap(light, size);
+    addShadows(objects, shadow);
+    return shadow;
+}
+
+ShadowMap FrameRenderer::emptyShadowMap(const Camera& light, int size) {
     ShadowMap shadow{light, gl::Framebuffer(size, size, {})};
+    clearDepths(shadow.depths, light.depth);
+    return shadow;
+}
+
+void FrameRenderer::addShadows(std::span<const SceneObject> objects, const ShadowMap& shadow) {
     FrameView view;
-    view.camera = light;
-    prepare(shadow.depths, light.depth);
+    view.camera = shadow.light;
+    prepare(shadow.depths, shadow.light.depth);
     drawObjects(objects, view, shadow.depths, [&](const SceneObject& object, int) -> gl::Program& {
         gl::Program& depth =
             program(fragmentFilesOf(object).depth, searchFilesOf(object), object, view);
         bindSearch(depth, object);
         return depth;
     });
-    return shadow;
 }
 
 }  // namespace relievo::viewer

@@ -63,6 +63,11 @@ class FrameRenderer {
     /// Draws the shaded objects over a background of (0.09, 0.09, 0.1) into attachment 0 of
     /// `target`.
     void draw(std::span<const SceneObject> objects, const FrameView& view, gl::Framebuffer& target);
+    /// The same in pieces, between which the context may be used for other things: clear() and then
+    /// add() for all objects, some at a time. What skipHidden hides is up to the pieces.
+    static void clear(const Camera& camera, gl::Framebuffer& target);
+    void add(std::span<const SceneObject> objects, const FrameView& view,
+             const gl::Framebuffer& target);
     /// Records the searches of every pixel of one object, which has a relief or is a solid.
     MeasuredFrame measure(SceneObject object, const FrameView& view, int width, int height);
     /// Records what every pixel shows, and counts the lookups of the whole frame.
@@ -70,6 +75,9 @@ class FrameRenderer {
                       int height);
     /// The depths that `light` (a parallel projection) sees, size² texels.
     ShadowMap castShadows(std::span<const SceneObject> objects, const Camera& light, int size);
+    /// The same in pieces: nothing throws a shadow until addShadows() has been called for it.
+    static ShadowMap emptyShadowMap(const Camera& light, int size);
+    void addShadows(std::span<const SceneObject> objects, const ShadowMap& shadow);
 
   private:
     /// Finds the program for an object, whose number is the second argument, and sets what is not

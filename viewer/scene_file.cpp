@@ -24,6 +24,7 @@ constexpr NumberRange kDegrees{-360.0, 360.0};
 constexpr NumberRange kTiles{1e-3, 1e3};
 constexpr NumberRange kOffsets{-10.0, 10.0};  // tile widths
 constexpr NumberRange kShares{0.0, 1.0};
+constexpr NumberRange kReliefDepths{0.0, 1000.0};
 constexpr int kMostRepeats = 3;
 constexpr std::size_t kMost = 10000;  // boxes, quads
 
@@ -54,6 +55,8 @@ struct Looks {
     std::optional<glm::vec3> colour;
     std::optional<solids::SolidTexturing> texturing;
     std::filesystem::path picture;
+    std::optional<SceneRelief> relief;
+    std::optional<glm::dvec2> pictureTiles;
 };
 
 struct Reader {
@@ -241,6 +244,17 @@ std::optional<glm::vec3> findColour(const CheckedJson& json) {
     return colour ? std::optional(readColour(*colour)) : std::nullopt;
 }
 
+SceneRelief readRelief(const Reader& reader, const CheckedJson& json) {
+    json.expectKeys({"map", "technique", "depth"});
+    SceneRelief relief;
+    relief.map = reader.pathOf(json.at("map"));
+    if (const auto technique = json.find("technique"))
+        relief.technique = technique->text();
+    relief.depth = numberOr(json, "depth", kReliefDepths, relief.depth);
+    relief.place = json.place();
+    return relief;
+}
+
 // What `json` says, and the rest from `looks`.
 Looks readLooks(const Reader& reader, const CheckedJson& json, Looks looks) {
     if (const auto colour = findColour(json))
@@ -249,6 +263,10 @@ Looks readLooks(const Reader& reader, const CheckedJson& json, Looks looks) {
         looks.texturing = texturing->choice(kTexturings);
     if (const auto picture = json.find("picture"))
         looks.picture = reader.pathOf(*picture);
+    if (const auto relief = json.find("relief"))
+        looks.relief = readRelief(reader, *relief);
+    if (const auto tiles = json.find("pictureTiles"))
+        looks.pictureTiles = tiles->pair(kTiles);
     return looks;
 }
 
@@ -291,13 +309,15 @@ void readSolid(const Reader& reader, const CheckedJson& json, const Looks& looks
     }
     box.texturing = looks.texturing.value_or(box.texturing);
     box.picture = looks.picture;
+    box.relief = looks.relief;
+    box.pictureTiles = looks.pictureTiles.value_or(box.pictureTiles);
 }
 
 SceneBox readBox(Reader& reader, const CheckedJson& json) {
     SceneBox box;
     if (const auto name = json.find("model")) {
-        json.expectKeys(
-            {"model", "position", "rotation", "repeat", "colour", "texturing", "picture"});
+        json.expectKeys({"model", "position", "rotation", "repeat", "colour", "texturing",
+                         "picture", "relief", "pictureTiles"});
         const auto model = reader.models.find(name->text());
         if (model == reader.models.end())
             name->fail(fmt::format("is \"{}\", expected one of the scene's models", name->text()));
@@ -306,7 +326,7 @@ SceneBox readBox(Reader& reader, const CheckedJson& json) {
         readSolid(reader, solid, readLooks(reader, json, readLooks(reader, solid, {})), box);
     } else {
         json.expectKeys({"model", "size", "parts", "position", "rotation", "repeat", "colour",
-                         "texturing", "picture"});
+                         "texturing", "picture", "relief", "pictureTiles"});
         readSolid(reader, json, readLooks(reader, json, {}), box);
     }
     for (const glm::dmat4& copy : readCopies(reader, json))
@@ -315,7 +335,7 @@ SceneBox readBox(Reader& reader, const CheckedJson& json) {
 }
 
 void readModel(Reader& reader, const std::string& name, const CheckedJson& json) {
-    json.expectKeys({"size", "parts", "colour", "texturing", "picture"});
+    json.expectKeys({"size", "parts", "colour", "texturing", "picture", "relief", "pictureTiles"});
     SceneBox unused;  // a model is checked even when no box is of it
     readSolid(reader, json, readLooks(reader, json, {}), unused);
     reader.models.emplace(name, json);

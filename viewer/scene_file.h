@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,14 @@ struct ScenePart {
     glm::vec3 colour{0.8f};
 };
 
+/// A relief on the walls and caps of a solid.
+struct SceneRelief {
+    std::filesystem::path map;        ///< a map file of relievo-bake relief
+    std::string technique = "exact";  ///< of the registry, which is not asked here
+    double depth = 0.05;              ///< its depth scale
+    std::string place;                ///< `FILE: boxes[2].relief`, how errors about it begin
+};
+
 /// A shape box: a solid of up to solids::kMostParts parts, at one or more places.
 struct SceneBox {
     std::string name;    ///< of its model, or "" for one that is written out in place
@@ -54,6 +63,8 @@ struct SceneBox {
     std::vector<ScenePart> parts;
     solids::SolidTexturing texturing = solids::SolidTexturing::Box;
     std::filesystem::path picture;  ///< "" without one
+    std::optional<SceneRelief> relief;
+    glm::dvec2 pictureTiles{1};  ///< of the picture and the relief, in a tile of a part
     /// From the space of the whole (box_placement.h) to the world, of every copy.
     std::vector<glm::dmat4> wholeToWorld;
 };
@@ -87,7 +98,7 @@ struct SceneFile {
 inline constexpr std::size_t kMostCopies = 100000;
 
 /// Reads a scene in the format of docs/scenes.md. Paths in it are relative to its folder. The files
-/// of shapes and pictures are not opened.
+/// of shapes, pictures and reliefs are not opened.
 ///
 /// Throws textures::InputError, `FILE: boxes[2].parts[0].kind: what is wrong, what was expected`,
 /// for a file that cannot be read or is no JSON, for keys that are unknown, missing or twice, for

@@ -112,6 +112,7 @@ SolidSession::SolidSession(const ViewOptions& options, const materials::SolidTec
 }
 
 void SolidSession::edit(const ViewOptions& options) {
+    steps_.reset();
     if (!scene_)
         followShape(options);
     setParameters(options.parameters);
@@ -157,13 +158,7 @@ void SolidSession::stageShape(const ViewOptions& options, const SolidPlace& plac
     stage_ = std::move(stage);
     place_ = place;
     if (!options.solid.wallRelief.empty())
-        putReliefOnWalls(options.solid);
-}
-
-void SolidSession::putReliefOnWalls(const SolidOptions& solid) {
-    const auto maps = std::make_shared<materials::ReliefMaps>(
-        textures::readMapLevels(solid.wallRelief), solid.wallRelief.string());
-    material_->relief.emplace(maps, materials::findTechnique(solid.wallTechnique));
+        stage_->putRelief(*material_, options.solid.wallRelief, options.solid.wallTechnique);
 }
 
 void SolidSession::setParameters(const std::vector<ParameterSetting>& settings) {
@@ -174,8 +169,13 @@ void SolidSession::setParameters(const std::vector<ParameterSetting>& settings) 
         if (concerns(setting, technique))
             stage_->setParameter(setting.name, setting.value);
     if (parameters_ != settings)
-        shadow_.reset();
+        shadows_.reset();
     parameters_ = settings;
+}
+
+FrameView SolidSession::viewOf(const ViewOptions& options, const gl::Framebuffer& target) const {
+    return viewOf(options,
+                  static_cast<float>(target.width()) / static_cast<float>(target.height()));
 }
 
 FrameView SolidSession::viewOf(const ViewOptions& options, float aspect) const {
@@ -186,23 +186,64 @@ FrameView SolidSession::viewOf(const ViewOptions& options, float aspect) const {
     return view;
 }
 
-const ShadowMap& SolidSession::shadowOf(const ViewOptions& options,
-                                        std::span<const SceneObject> objects) {
-    if (!shadow_ || shadowLight_ != options.light)
-        shadow_.emplace(frames_.castShadows(objects, lightCamera(options.light, stage_->extent()),
-                                            kShadowTexels));
-    shadowLight_ = options.light;
-    return *shadow_;
+// A single solid shadows itself by light rays.
+const ShadowMap* SolidSession::shadowsFor(const ViewOptions& options) {
+    if (!scene_)
+        return nullptr;
+    if (!shadows_ || shadows_->light != options.light)
+        shadows_ = Shadows{options.light,
+                           FrameRenderer::emptyShadowMap(
+                               lightCamera(options.light, stage_->extent()), kShadowTexels)};
+    return &shadows_->map;
+}
+
+void SolidSession::begin(const ViewOptions& options, gl::Framebuffer& target) {
+    steps_ = Steps{&target, stage_->objects(options.shading), viewOf(options, target)};
+    steps_->view.shadowMap = shadowsFor(options);
+    FrameRenderer::clear(steps_->view.camera, target);
+}
+
+bool SolidSession::step() {
+    const std::span<const SceneObject> objects(steps_->objects);
+    if (shadows_ && shadows_->casters < objects.size())
+        frames_.addShadows(objects.subspan(shadows_->casters++, 1), shadows_->map);
+    else if (steps_->drawn < objects.size())
+        frames_.add(objects.subspan(steps_->drawn++, 1), steps_->view, *steps_->target);
+    return steps_->drawn < objects.size();
+}
+
+SolidProgress SolidSession::progress() const {
+    const std::size_t count = steps_->objects.size();
+    const bool isOfShadows = shadows_ && shadows_->casters < count;
+    return {isOfShadows, isOfShadows ? shadows_->casters : steps_->drawn, count};
 }
 
 void SolidSession::draw(const ViewOptions& options, gl::Framebuffer& target) {
-    const std::vector<SceneObject> objects = stage_->objects(options.shading);
-    FrameView view =
-        viewOf(options, static_cast<float>(target.width()) / static_cast<float>(target.height()));
-    // A single solid shadows itself by light rays.
-    if (scene_)
-        view.shadowMap = &shadowOf(options, objects);
-    frames_.draw(objects, view, target);
+    begin(options, target);
+    while (step())
+        ;
+}
+
+void SolidSession::draft(const ViewOptions& options, gl::Framebuffer& target) {
+    FrameView view = viewOf(options, target);
+    view.shadowMap = shadowsFor(options);
+    frames_.draw(stage_->objects(options.shading), view, target);
+}
+
+void SolidSession::showUnfinished(const gl::Framebuffer& shown) {
+    const int width = shown.width();
+    const int height = shown.height();
+    glBlitNamedFramebuffer(steps_->target->id(), shown.id(), 0, 0, width, height, 0, 0, width,
+                           height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    std::vector<SceneObject> missing(
+        steps_->objects.begin() + static_cast<std::ptrdiff_t>(steps_->drawn),
+        steps_->objects.end());
+    for (SceneObject& object : missing)
+        if (const materials::SolidMaterial* solid = std::exchange(object.solid, nullptr))
+            object.plainColor = solid->looks.front().color;
+    FrameView view = steps_->view;
+    view.shadowMap = nullptr;
+    frames_.add(missing, view, shown);
 }
 
 MeasuredFrame SolidSession::measure(const ViewOptions& options, int width, int height) {

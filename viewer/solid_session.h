@@ -28,6 +28,13 @@ struct SolidPlace {
 /// box without a depth.
 SolidPlace placeOf(const ViewOptions& options, const textures::ShapeMap& shape);
 
+/// How far a picture is that is drawn object by object.
+struct SolidProgress {
+    bool isOfShadows = false;  ///< the shadow map is drawn, not yet the picture
+    std::size_t done = 0;      ///< objects that are in it
+    std::size_t count = 0;     ///< of all
+};
+
 /// A scene file or a single shape that relievo-view shows, by one search.
 class SolidSession {
   public:
@@ -40,6 +47,18 @@ class SolidSession {
     void edit(const ViewOptions& options);
     /// Draws into attachment 0 of `target`, with the shadows of a light far away.
     void draw(const ViewOptions& options, gl::Framebuffer& target);
+    /// The same object by object: begin(), and then step() until it returns that nothing is left to
+    /// draw. The context may be used for other things in between. An edit ends it. A shadow map
+    /// that is begun goes on with the next picture of the same light.
+    void begin(const ViewOptions& options, gl::Framebuffer& target);
+    bool step();
+    [[nodiscard]] SolidProgress progress() const;
+    /// Draws all at once, with the shadows that are there already.
+    void draft(const ViewOptions& options, gl::Framebuffer& target);
+    /// Copies what is drawn into `shown`, which has the size and the format of the target. For what
+    /// is missing stand the boxes, or other surfaces, that the solids are in: they need no program
+    /// of a search.
+    void showUnfinished(const gl::Framebuffer& shown);
     /// Steps and lookups of the searches of a frame of that size; of a shape alone.
     MeasuredFrame measure(const ViewOptions& options, int width, int height);
     /// How far such a frame is from the exact hits of its rays.
@@ -59,11 +78,23 @@ class SolidSession {
   private:
     void followShape(const ViewOptions& options);
     void stageShape(const ViewOptions& options, const SolidPlace& place);
-    void putReliefOnWalls(const SolidOptions& solid);
     void setParameters(const std::vector<ParameterSetting>& settings);
     std::shared_ptr<const textures::ShapeMap> shapeFor(const ViewOptions& options);
-    const ShadowMap& shadowOf(const ViewOptions& options, std::span<const SceneObject> objects);
+    const ShadowMap* shadowsFor(const ViewOptions& options);
     [[nodiscard]] FrameView viewOf(const ViewOptions& options, float aspect) const;
+    [[nodiscard]] FrameView viewOf(const ViewOptions& options, const gl::Framebuffer& target) const;
+
+    struct Shadows {
+        glm::vec2 light;
+        ShadowMap map;
+        std::size_t casters = 0;  // the first of the objects, which are in it
+    };
+    struct Steps {
+        gl::Framebuffer* target;
+        std::vector<SceneObject> objects;
+        FrameView view;
+        std::size_t drawn = 0;
+    };
 
     const materials::SolidTechnique* technique_;
     std::optional<SceneFile> scene_;
@@ -75,9 +106,9 @@ class SolidSession {
     std::unique_ptr<SolidStage> stage_;
     FrameRenderer frames_;
     // Of a scene, while neither the light nor the search changes.
-    std::optional<ShadowMap> shadow_;
+    std::optional<Shadows> shadows_;
+    std::optional<Steps> steps_;
     std::vector<ParameterSetting> parameters_;
-    glm::vec2 shadowLight_{0.0f};
 };
 
 /// Whether the name is that of a scene file.

@@ -77,6 +77,23 @@ surfaces::SurfaceExtent SolidStage::extent() const {
     return all.value_or(surfaces::SurfaceExtent());
 }
 
+void SolidStage::putRelief(materials::SolidMaterial& solid, const std::filesystem::path& map,
+                           std::string_view technique) {
+    std::shared_ptr<materials::ReliefMaps>& maps = reliefs_[map];
+    if (!maps)
+        maps = std::make_shared<materials::ReliefMaps>(textures::readMapLevels(map), map.string());
+    solid.relief.emplace(maps, materials::findTechnique(technique));
+}
+
+void SolidStage::putRelief(materials::SolidMaterial& solid, const SceneRelief& relief) {
+    try {
+        putRelief(solid, relief.map, relief.technique);
+    } catch (const textures::InputError& error) {
+        throw textures::InputError(relief.place + ": " + error.what());
+    }
+    solid.relief->depthScale = static_cast<float>(relief.depth);
+}
+
 void SolidStage::setSurface(const materials::SolidMaterial& solid,
                             const surfaces::SurfaceMesh& mesh) {
     const auto holder = std::ranges::find_if(
@@ -120,6 +137,9 @@ void SolidStage::addBoxes(const SceneBox& box, const ShapeMaps& shapes) {
                                                     glm::dvec3(1.0), place, albedoOf(box.picture));
         for (std::size_t k = 0; k < box.parts.size(); ++k)
             material.looks[k] = {box.parts[k].colour, box.texturing};
+        material.pictureTiles = box.pictureTiles;
+        if (box.relief)
+            putRelief(material, *box.relief);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -42,6 +43,12 @@ class SolidStage {
     void addPlain(const surfaces::SurfaceMesh& mesh, const glm::vec3& color,
                   materials::TextureSet textures = {});
 
+    /// Puts the relief of a map file of relievo-bake relief on the walls and caps of a solid, shown
+    /// by a technique of reliefs, with its usual depth scale. Solids with the same file share its
+    /// maps. Throws textures::InputError.
+    void putRelief(materials::SolidMaterial& solid, const std::filesystem::path& map,
+                   std::string_view technique);
+
     /// Puts a solid of this stage into another mesh; low, high and boxFromWhole of its material are
     /// the caller's.
     void setSurface(const materials::SolidMaterial& solid, const surfaces::SurfaceMesh& mesh);
@@ -63,10 +70,12 @@ class SolidStage {
         std::optional<materials::SolidMaterial> solid;
     };
     void addBoxes(const SceneBox& box, const ShapeMaps& shapes);
+    void putRelief(materials::SolidMaterial& solid, const SceneRelief& relief);
     void addQuads(const SceneQuad& quad);
 
     const materials::SolidTechnique* technique_;
     std::shared_ptr<materials::ShapeTextureCache> shapes_;
+    std::map<std::filesystem::path, std::shared_ptr<materials::ReliefMaps>> reliefs_;
     std::list<Mesh> meshes_;  // stay where they are
     std::vector<materials::SolidMaterial*> solids_;
 };

@@ -1,6 +1,7 @@
 #include "viewer/solid_window.h"
 
-#include <array>
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 
@@ -9,22 +10,15 @@
 #include "viewer/solid_panel.h"
 #include "viewer/tessellation_count.h"
 #include "viewer/window_loop.h"
+#include "viewer/window_overlay.h"
 
 namespace relievo::viewer {
 namespace {
 
-constexpr std::array kKeys = {
-    KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},
-    KeyHelp{"R, double click", "reset the view"},
-    KeyHelp{"left drag", "orbit"},
-    KeyHelp{"right drag", "pan (middle drag too)"},
-    KeyHelp{"wheel", "zoom"},
-    KeyHelp{"Ctrl + click", "type a value into a slider"},
-    KeyHelp{"right click", "default value of a technique's slider"},
-    KeyHelp{"H", "hide or show the panel"},
-    KeyHelp{"F1", "this help"},
-    KeyHelp{"Q, Esc", "quit"},
-};
+std::string noteOf(const SolidProgress& progress) {
+    return fmt::format("{} {} of {}…", progress.isOfShadows ? "shadows" : "objects", progress.done,
+                       progress.count);
+}
 
 class SolidContent final : public WindowContent {
   public:
@@ -37,7 +31,9 @@ class SolidContent final : public WindowContent {
         zoomLimits_ = zoomLimitsAround(options_.camera);
     }
 
-    [[nodiscard]] Activity activity() const override { return Activity::None; }
+    [[nodiscard]] Activity activity() const override {
+        return frame_.progress() ? Activity::Drawing : Activity::None;
+    }
     void handleKey(const KeyPress&) override {}
     bool handleMouse(const PictureArea&) override { return false; }
     OrbitCamera& camera() override { return options_.camera; }
@@ -50,10 +46,14 @@ class SolidContent final : public WindowContent {
     }
 
     bool update(int width, int height) override { return frame_.update(options_, width, height); }
+    void finish() override { frame_.finish(); }
     void measure() override { frame_.measure(); }
     [[nodiscard]] const gl::Framebuffer& picture() const override { return frame_.picture(); }
-    void drawOver(const PictureArea&) override {}
-    [[nodiscard]] std::span<const KeyHelp> keys() const override { return kKeys; }
+    void drawOver(const PictureArea& area) override {
+        if (const auto progress = frame_.progress())
+            drawNote(noteOf(*progress).c_str(), area);
+    }
+    [[nodiscard]] std::span<const KeyHelp> keys() const override { return {}; }
 
   private:
     ViewOptions options_;
@@ -67,6 +67,7 @@ class SolidContent final : public WindowContent {
 void runSolidWindow(const ViewOptions& options) {
     checkSolidOptions(options);
     WindowLoop loop(options);
+    loop.announce("opening…");
     SolidContent content(options);
     loop.run(content);
 }

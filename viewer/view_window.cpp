@@ -31,16 +31,7 @@ constexpr std::array kKeys = {
     KeyHelp{"Shift + these", "technique B"},
     KeyHelp{"M", "next comparison: single, side by side, split, error"},
     KeyHelp{"Space", "animate the depth scale"},
-    KeyHelp{"S", "save the picture as view-001.png, view-002.png, …"},
-    KeyHelp{"R, double click", "reset the view"},
-    KeyHelp{"left drag", "orbit; in a split picture also drags the line"},
-    KeyHelp{"right drag", "pan (middle drag too)"},
-    KeyHelp{"wheel", "zoom"},
-    KeyHelp{"Ctrl + click", "type a value into a slider"},
-    KeyHelp{"right click", "default value of a technique's slider"},
-    KeyHelp{"H", "hide or show the panel"},
-    KeyHelp{"F1", "this help"},
-    KeyHelp{"Q, Esc", "quit"},
+    KeyHelp{"left drag on the line", "move it, in a split picture"},
 };
 
 class ReliefContent final : public WindowContent {
@@ -110,6 +101,7 @@ class ReliefContent final : public WindowContent {
     bool update(int width, int height) override {
         return frame_.update(settings_, width, height, exact_);
     }
+    void finish() override {}
     void measure() override { frame_.measure(settings_, exact_.frame()); }
     [[nodiscard]] const gl::Framebuffer& picture() const override { return frame_.picture(); }
     void drawOver(const PictureArea& area) override {

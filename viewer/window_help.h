@@ -17,7 +17,8 @@ struct KeyHelp {
     const char* meaning;
 };
 
-/// Draws the list of keys in the middle of the picture. Call it within a frame of ImGui.
+/// Draws the list of `keys`, and then those that every window has, in the middle of the picture.
+/// Call it within a frame of ImGui.
 void drawHelp(const PictureArea& area, std::span<const KeyHelp> keys);
 
 }  // namespace relievo::viewer

@@ -13,6 +13,7 @@
 #include "gl/glfw_context.h"
 #include "textures/input_error.h"
 #include "viewer/picture.h"
+#include "viewer/window_overlay.h"
 
 namespace relievo::viewer {
 namespace {
@@ -21,6 +22,22 @@ constexpr std::chrono::milliseconds kMeasureInterval{300};
 constexpr double kTick = 0.05;  // seconds, while something is under way
 constexpr double kAnimationTick = 1 / 60.0;
 constexpr double kIdleTick = 60.0;
+
+// Seconds until something may have changed without an event.
+double tickOf(WindowContent::Activity activity) {
+    switch (activity) {
+        case WindowContent::Activity::None:
+            return kIdleTick;
+        case WindowContent::Activity::Work:
+            return kTick;
+        case WindowContent::Activity::Animation:
+            return kAnimationTick;
+        case WindowContent::Activity::Drawing:
+            return 0.0;
+    }
+    return kIdleTick;
+}
+
 // After an event ImGui needs some frames until all widgets show its consequences: a list opens on
 // the release of the button, one frame after the press, and hides until its size is known.
 constexpr int kFramesToSettle = 8;
@@ -83,6 +100,16 @@ void WindowLoop::wake() {
     glfwPostEmptyEvent();
 }
 
+void WindowLoop::announce(const char* note) {
+    glfwPollEvents();
+    imgui_->begin();
+    glClear(GL_COLOR_BUFFER_BIT);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    drawNote(note, {0.0f, size.x, size.y});
+    imgui_->end();
+    glfwSwapBuffers(window_);
+}
+
 void WindowLoop::run(WindowContent& content) {
     firstCamera_ = content.camera();
     while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
@@ -101,11 +128,11 @@ bool WindowLoop::isEventful() {
 
 // Sleeps until there may be something to show; returns whether there is.
 bool WindowLoop::waitForWork(const WindowContent& content) const {
-    const WindowContent::Activity activity = content.activity();
-    const bool isAnimated = activity == WindowContent::Activity::Animation;
-    const bool isWorking = activity == WindowContent::Activity::Work || measurementIsDue_;
-    glfwWaitEventsTimeout(isAnimated ? kAnimationTick : isWorking ? kTick : kIdleTick);
-    return isWorking || isAnimated;
+    WindowContent::Activity activity = content.activity();
+    if (activity == WindowContent::Activity::None && measurementIsDue_)
+        activity = WindowContent::Activity::Work;
+    glfwWaitEventsTimeout(tickOf(activity));
+    return activity != WindowContent::Activity::None;
 }
 
 void WindowLoop::showFrame(WindowContent& content) {
@@ -212,7 +239,8 @@ void WindowLoop::measure(WindowContent& content) {
     framesToSettle_ = kFramesToSettle;  // the panel of this frame is drawn already
 }
 
-void WindowLoop::savePicture(const WindowContent& content) {
+void WindowLoop::savePicture(WindowContent& content) {
+    content.finish();
     try {
         const std::filesystem::path file = nextPictureName(".");
         const gl::Framebuffer& shown = content.picture();

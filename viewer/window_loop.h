@@ -34,8 +34,9 @@ class WindowContent {
     /// What a window does without being touched.
     enum class Activity {
         None,
-        Work,      ///< something is under way that the picture or the panel waits for
-        Animation  ///< the picture moves
+        Work,       ///< something is under way that the picture or the panel waits for
+        Animation,  ///< the picture moves
+        Drawing     ///< update() has more to do on the picture
     };
     [[nodiscard]] virtual Activity activity() const = 0;
 
@@ -53,12 +54,14 @@ class WindowContent {
     /// Brings the picture up to date at that size in pixels. Returns whether what was measured is
     /// out of date.
     virtual bool update(int width, int height) = 0;
+    /// Has the picture finished that is saved, if update() had more to do on it.
+    virtual void finish() = 0;
     /// Measures what the picture shows, for the panel.
     virtual void measure() = 0;
     [[nodiscard]] virtual const gl::Framebuffer& picture() const = 0;
     /// Draws what lies over the picture.
     virtual void drawOver(const PictureArea& area) = 0;
-    /// The list of keys, the window's own included.
+    /// The keys that the help lists besides the window's own.
     [[nodiscard]] virtual std::span<const KeyHelp> keys() const = 0;
 };
 
@@ -74,6 +77,8 @@ class WindowLoop {
     WindowLoop(const WindowLoop&) = delete;
     WindowLoop& operator=(const WindowLoop&) = delete;
 
+    /// Shows a note while there is no content yet.
+    void announce(const char* note);
     /// Shows `content` until the user closes the window.
     void run(WindowContent& content);
 
@@ -104,7 +109,7 @@ class WindowLoop {
     void showPicture(WindowContent& content, const PictureArea& area, int windowWidth,
                      int windowHeight);
     void measure(WindowContent& content);
-    void savePicture(const WindowContent& content);
+    void savePicture(WindowContent& content);
 
     std::unique_ptr<gl::Context> context_;
     GLFWwindow* window_;

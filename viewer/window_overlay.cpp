@@ -42,6 +42,12 @@ void drawDivider(float x, float height) {
 
 }  // namespace
 
+void drawNote(const char* note, const PictureArea& area) {
+    const ImVec2 size = labelSize(note);
+    drawLabel(note, {area.left + area.width - kMargin - size.x, area.height - kMargin - size.y},
+              kNoteColor);
+}
+
 void drawOverlay(const WindowSettings& settings, const PictureArea& area, bool isTracing) {
     std::string first(techniqueTitle(settings.techniqueA));
     if (settings.mode == ComparisonMode::HeatMap)
@@ -54,12 +60,8 @@ void drawOverlay(const WindowSettings& settings, const PictureArea& area, bool i
     }
     if (settings.mode == ComparisonMode::Split)
         drawDivider(area.left + std::round(settings.split * area.width), area.height);
-    if (isTracing) {
-        const char* note = "tracing the exact hits…";
-        const ImVec2 size = labelSize(note);
-        drawLabel(note, {area.left + area.width - kMargin - size.x, area.height - kMargin - size.y},
-                  kNoteColor);
-    }
+    if (isTracing)
+        drawNote("tracing the exact hits…", area);
 }
 
 }  // namespace relievo::viewer

@@ -55,6 +55,8 @@ TEST_F(SceneFiles, HaveDefaults) {
     const SceneBox& box = scene.boxes[0];
     EXPECT_EQ(box.texturing, solids::SolidTexturing::Box);
     EXPECT_TRUE(box.picture.empty());
+    EXPECT_FALSE(box.relief);
+    EXPECT_EQ(box.pictureTiles, glm::dvec2(1.0));
     ASSERT_EQ(box.wholeToWorld.size(), 1u);
     EXPECT_EQ(box.wholeToWorld[0], wholeToLocal({2, 4, 6}));
     const solids::SolidPart& part = box.parts.at(0).part;
@@ -152,6 +154,28 @@ TEST_F(SceneFiles, HaveAllThatTheySay) {
     EXPECT_EQ(scene.quads[0].localToWorld.size(), 1u);
 }
 
+TEST_F(SceneFiles, HaveReliefsOfBoxesOverThoseOfModels) {
+    const SceneFile scene = read(R"({
+  "shapes": {"a": {"svg": "a.svg"}},
+  "models": {"m": {"size": [1, 1, 1], "relief": {"map": "maps/bricks.exr"}, "pictureTiles": [3, 2],
+                   "parts": [{"shape": "a", "kind": "extrusion"}]}},
+  "boxes": [{"model": "m"},
+            {"model": "m", "relief": {"map": "/b.exr", "technique": "normal", "depth": 0.2}}]
+})");
+    const SceneRelief relief = scene.boxes[0].relief.value();
+    EXPECT_EQ(relief.map, folder() / "maps/bricks.exr");
+    EXPECT_EQ(relief.technique, "exact");
+    EXPECT_EQ(relief.depth, 0.05);
+    EXPECT_EQ(relief.place, file("scene.json").string() + ": models.m.relief");
+    EXPECT_EQ(scene.boxes[0].pictureTiles, glm::dvec2(3, 2));
+    const SceneRelief other = scene.boxes[1].relief.value();
+    EXPECT_EQ(other.map, "/b.exr");
+    EXPECT_EQ(other.technique, "normal");
+    EXPECT_EQ(other.depth, 0.2);
+    EXPECT_EQ(other.place, file("scene.json").string() + ": boxes[1].relief");
+    EXPECT_EQ(scene.boxes[1].pictureTiles, glm::dvec2(3, 2)) << "the model's";
+}
+
 TEST_F(SceneFiles, MakeCompounds) {
     const SceneFile scene = read(withParts(kPart + R"(,{"shape": "b", "kind": "revolution"})"));
     const auto a = std::make_shared<const textures::ShapeMap>();
@@ -201,6 +225,11 @@ TEST_F(SceneFiles, RefuseKeysThatAreUnknownMissingOrTwice) {
             {R"({"camera": {"roll": 3}, "shapes": {}, "boxes": []})", "camera: has the key"},
             {R"({"light": {"distance": 3}, "shapes": {}, "boxes": []})", "light: has the key"},
             {withParts(kPart, "\"posiion\": [0, 0, 0], "), "boxes[0]: has the key \"posiion\""},
+            {withParts(kPart, R"("relief": {"depth": 1}, )"), "boxes[0].relief: has no \"map\""},
+            {withParts(kPart, R"("relief": {"map": "a.exr", "scale": 1}, )"),
+             "boxes[0].relief: has the key \"scale\", expected map, technique, depth"},
+            {withParts(R"({"shape": "a", "kind": "extrusion", "relief": {"map": "a.exr"}})"),
+             "boxes[0].parts[0]: has the key \"relief\""},
             {withParts(R"({"kind": "extrusion"})"), "boxes[0].parts[0]: has no \"shape\""},
             {withParts(R"({"shape": "a"})"), "boxes[0].parts[0]: has no \"kind\""},
             {withParts(R"({"shape": "a", "kind": "extrusion", "extension": 1})"),
@@ -251,6 +280,14 @@ TEST_F(SceneFiles, RefuseValuesOfAWrongTypeOrSize) {
              {withParts(kPart, R"("colour": [1, 2, 0], )"), "boxes[0].colour[1]: is 2"},
              {withParts(kPart, R"("texturing": "planar-x", )"),
               "there is no \"planar-x\", expected planar-z, planar-y"},
+             {withParts(kPart, R"("relief": "a.exr", )"),
+              "boxes[0].relief: is \"a.exr\", expected an object"},
+             {withParts(kPart, R"("relief": {"map": ""}, )"), "boxes[0].relief.map: is \"\""},
+             {withParts(kPart, R"("relief": {"map": "a.exr", "technique": 1}, )"),
+              "boxes[0].relief.technique: is 1, expected a string"},
+             {withParts(kPart, R"("relief": {"map": "a.exr", "depth": -1}, )"),
+              "boxes[0].relief.depth: is -1, expected a number from 0 to 1000"},
+             {withParts(kPart, R"("pictureTiles": [1, 0], )"), "boxes[0].pictureTiles[1]: is 0"},
              {withParts(kPart, R"("repeat": [{"count": 0, "step": [0, 0, 1]}], )"),
               "boxes[0].repeat[0].count: is 0"},
              {withParts(""), "boxes[0].parts: is [], expected an array of 1 to 4"},

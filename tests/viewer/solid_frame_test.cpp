@@ -1,8 +1,12 @@
 // What the window does with the options of shapes and scenes, without a window.
 #include "viewer/solid_frame.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -10,7 +14,11 @@
 
 #include "gl/context.h"
 #include "tests/commands/process.h"
+#include "tests/textures/temporary_folder.h"
+#include "tests/viewer/map_fixture.h"
+#include "tests/viewer/relief_scene.h"
 #include "textures/input_error.h"
+#include "textures/map_file.h"
 
 namespace relievo::viewer {
 namespace {
@@ -83,14 +91,41 @@ class SolidFrameTest : public testing::Test {
         options_.techniques = {"solid"};
     }
 
+    static bool isDrawnAgain(SolidFrame& frame, const ViewOptions& options, int height = kSide) {
+        return frame.update(options, kSide, height) || frame.finish();
+    }
+
     static std::vector<float> pictureOf(SolidFrame& frame, const ViewOptions& options) {
-        frame.update(options, kSide, kSide);
+        isDrawnAgain(frame, options);
+        EXPECT_FALSE(frame.progress());
         return frame.picture().read(0);
     }
 
     static std::vector<float> freshPicture(const ViewOptions& options) {
         SolidFrame frame(options);
         return pictureOf(frame, options);
+    }
+
+    // Of three objects; `box` is what else its boxes say.
+    void openScene(const std::string& box = "") {
+        std::ofstream(folder_.file("ell.json"))
+            << R"({
+            "shapes": {"ell": {"svg": "ell.svg", "size": 32}},
+            "boxes": [{)"
+            << box
+            << R"("size": [1, 0.75, 0.5], "position": [-0.4, 0, 0.25], "rotation": [0, 0, 30],
+                       "repeat": [{"count": 2, "step": [0.8, 0.3, 0]}],
+                       "parts": [{"shape": "ell", "kind": "extrusion"}]}],
+            "quads": [{"size": [2, 2]}]})";
+        options_.files = {folder_.file("ell.json")};
+    }
+
+    // How often a window has to show the frame until the picture is finished.
+    static int callsUntilFinished(SolidFrame& frame, const ViewOptions& options) {
+        int calls = 1;
+        while (!frame.update(options, kSide, kSide))
+            ++calls;
+        return calls;
     }
 
     tests::ScratchFolder folder_;
@@ -122,12 +157,12 @@ TEST_F(SolidFrameTest, AnEditedShapeIsTheOneThatWouldBeOpened) {
 
 TEST_F(SolidFrameTest, IsDrawnAgainOnlyForAReason) {
     SolidFrame frame(options_);
-    EXPECT_TRUE(frame.update(options_, kSide, kSide));
-    EXPECT_FALSE(frame.update(options_, kSide, kSide));
-    EXPECT_TRUE(frame.update(options_, kSide, kSide + 1));
+    EXPECT_TRUE(isDrawnAgain(frame, options_));
+    EXPECT_FALSE(isDrawnAgain(frame, options_));
+    EXPECT_TRUE(isDrawnAgain(frame, options_, kSide + 1));
     options_.solid.bevel = 0.1;
-    EXPECT_TRUE(frame.update(options_, kSide, kSide + 1));
-    EXPECT_FALSE(frame.update(options_, kSide, kSide + 1));
+    EXPECT_TRUE(isDrawnAgain(frame, options_, kSide + 1));
+    EXPECT_FALSE(isDrawnAgain(frame, options_, kSide + 1));
 }
 
 TEST_F(SolidFrameTest, WhatCannotBeShownIsSaidAndPassesOver) {
@@ -155,23 +190,21 @@ TEST_F(SolidFrameTest, WhatCannotBeShownIsSaidAndPassesOver) {
 TEST_F(SolidFrameTest, TheWorkOfAShapeIsCounted) {
     SolidFrame frame(options_);
     frame.update(options_, kSide, kSide);
-    EXPECT_FALSE(frame.readings().work);
+    frame.measure();
+    EXPECT_FALSE(frame.readings().work) << "of a picture that is not there yet";
+    frame.finish();
     frame.measure();
     ASSERT_TRUE(frame.readings().work);
     EXPECT_GT(frame.readings().work->meanFetches, 0.0);
     EXPECT_EQ(frame.readings().work->exhausted, 0u);
     options_.parameters = {{"", "solid-steps", 1}};
-    frame.update(options_, kSide, kSide);
+    isDrawnAgain(frame, options_);
     frame.measure();
     EXPECT_GT(frame.readings().work->exhausted, 0u);
 }
 
 TEST_F(SolidFrameTest, AScenesShadowsFollowTheLight) {
-    std::ofstream(folder_.file("ell.json")) << R"({
-        "shapes": {"ell": {"svg": "ell.svg", "size": 32}},
-        "boxes": [{"size": [1, 0.75, 0.5], "parts": [{"shape": "ell", "kind": "extrusion"}]}],
-        "quads": [{"size": [2, 2], "position": [0, 0, -0.25]}]})";
-    options_.files = {folder_.file("ell.json")};
+    openScene();
     SolidFrame frame(options_);
     const std::vector<float> before = pictureOf(frame, options_);
     options_.light.x += 120.0f;
@@ -180,6 +213,131 @@ TEST_F(SolidFrameTest, AScenesShadowsFollowTheLight) {
     EXPECT_EQ(after, freshPicture(options_));
     options_.camera.azimuth += 20.0f;
     EXPECT_EQ(pictureOf(frame, options_), freshPicture(options_));
+}
+
+double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        sum += std::abs(static_cast<double>(a[k]) - static_cast<double>(b[k]));
+    return sum / static_cast<double>(a.size());
+}
+
+constexpr std::chrono::milliseconds kNoPatience{0};
+constexpr int kObjects = 3;
+
+TEST_F(SolidFrameTest, BoxesStandInUntilTheFirstPictureIsDrawnObjectByObject) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    ASSERT_TRUE(frame.progress());
+    EXPECT_TRUE(frame.progress()->isOfShadows);
+    EXPECT_EQ(frame.progress()->done, 0u);
+    EXPECT_EQ(frame.progress()->count, static_cast<std::size_t>(kObjects));
+    const std::vector<float> standIns = frame.picture().read(0);
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    EXPECT_EQ(frame.progress()->done, 1u);
+    EXPECT_EQ(frame.picture().read(0), standIns);
+    while (frame.progress()->isOfShadows)
+        EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    EXPECT_EQ(frame.progress()->done, 1u);
+    const std::vector<float> first = frame.picture().read(0);
+    EXPECT_EQ(callsUntilFinished(frame, options_), kObjects - 1);
+    const std::vector<float> finished = frame.picture().read(0);
+    EXPECT_FALSE(frame.progress());
+
+    SolidSession session(options_, materials::findSolidTechnique("solid"));
+    gl::Framebuffer target(kSide, kSide, std::array<GLenum, 1>{GL_RGBA8});
+    session.draw(options_, target);
+    EXPECT_EQ(finished, target.read(0)) << "not what a run without a window writes";
+    FrameRenderer::clear({}, target);
+    EXPECT_LT(difference(standIns, finished), 0.5 * difference(target.read(0), finished));
+    EXPECT_NE(first, standIns) << "the first object is there";
+    EXPECT_LT(difference(first, finished), difference(standIns, finished));
+}
+
+TEST_F(SolidFrameTest, ADraftFollowsTheCamera) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    const std::vector<float> before = pictureOf(frame, options_);
+    options_.camera.azimuth += 40.0f;
+    EXPECT_FALSE(frame.update(options_, kSide, kSide));
+    const std::vector<float> draft = frame.picture().read(0);
+    EXPECT_EQ(callsUntilFinished(frame, options_), kObjects - 1) << "shadows are there already";
+    const std::vector<float> after = frame.picture().read(0);
+    EXPECT_EQ(after, freshPicture(options_));
+    EXPECT_NE(draft, after);
+    EXPECT_LT(difference(draft, after), 0.5 * difference(before, after));
+}
+
+TEST_F(SolidFrameTest, AnotherLightLeavesThePictureUntilItIsDrawn) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    const std::vector<float> before = pictureOf(frame, options_);
+    options_.light.x += 120.0f;
+    for (int call = 1; call < 2 * kObjects; ++call) {
+        EXPECT_FALSE(frame.update(options_, kSide, kSide));
+        EXPECT_EQ(frame.picture().read(0), before);
+    }
+    EXPECT_TRUE(frame.update(options_, kSide, kSide));
+    EXPECT_EQ(frame.picture().read(0), freshPicture(options_));
+}
+
+TEST_F(SolidFrameTest, ShadowsGoOnWhileTheCameraMoves) {
+    openScene();
+    SolidFrame frame(options_, kNoPatience);
+    frame.update(options_, kSide, kSide);
+    frame.update(options_, kSide, kSide);
+    options_.camera.azimuth += 40.0f;
+    frame.update(options_, kSide, kSide);
+    EXPECT_EQ(frame.progress()->done, 1u);
+    EXPECT_EQ(pictureOf(frame, options_), freshPicture(options_));
+}
+
+TEST_F(SolidFrameTest, AScenesBoxesHaveReliefs) {
+    tests::writeSampleMaps(folder_.file("noise.exr"), "noise", 32, 32);
+    const auto picture = [&](const std::string& relief) {
+        openScene(relief);
+        return freshPicture(options_);
+    };
+    const auto bare = picture("");
+    EXPECT_LT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0}, )"), bare), 1e-3);
+    const auto deep = picture(R"("relief": {"map": "noise.exr", "depth": 0.2}, )");
+    EXPECT_GT(difference(deep, bare), 5e-3);
+    EXPECT_GT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0.2,
+                                                "technique": "normal"}, )"),
+                         deep),
+              1e-3);
+    EXPECT_GT(difference(picture(R"("relief": {"map": "noise.exr", "depth": 0.2},
+                                    "pictureTiles": [3, 3], )"),
+                         deep),
+              1e-3);
+}
+
+// Deep below the wall, but nothing else: it can only be seen by shadows that it must not be in.
+TEST_F(SolidFrameTest, AReliefIsInTheLightOfItsWall) {
+    textures::DepthMap even;
+    even.depth = textures::Plane(16, 16, 0.5f);
+    textures::writeMapFile(folder_.file("even.exr"), bakeMaps(even),
+                           textures::StorageFormat::Float);
+    openScene();
+    const std::vector<float> bare = freshPicture(options_);
+    openScene(R"("relief": {"map": "even.exr", "depth": 0.5}, )");
+    EXPECT_LT(difference(freshPicture(options_), bare), 1e-4);
+}
+
+TEST_F(SolidFrameTest, AReliefThatCannotBeShownIsSaidWithItsPlace) {
+    tests::writeSampleMaps(folder_.file("flat.exr"), "noise", 8, 8, tests::ConeChannel::Missing);
+    for (const auto& [relief, problem] : std::vector<std::pair<std::string, std::string>>{
+             {R"({"map": "none.exr"})", "none.exr"},
+             {R"({"map": "ell.svg"})", "ell.svg"},
+             {R"({"map": "flat.exr", "technique": "cone"})", "cone"},
+             {R"({"map": "flat.exr", "technique": "linea"})", "unknown technique \"linea\""}}) {
+        openScene("\"relief\": " + relief + ", ");
+        const std::string error = textures::errorOf([&] { SolidFrame{options_}; });
+        EXPECT_THAT(error, testing::StartsWith(folder_.file("ell.json") + ": boxes[0].relief: "));
+        EXPECT_THAT(error, testing::HasSubstr(problem));
+    }
 }
 
 TEST(SolidPlace, SquareTexelsAndTilesOfAllKinds) {

@@ -87,5 +87,14 @@ TEST_F(SolidWindowTest, SavesThePictureOfAHeadlessRun) {
     EXPECT_EQ(folder_.list().size(), 1u);
 }
 
+TEST_F(SolidWindowTest, SavesTheWholePictureAlsoWhileItIsDrawn) {
+    headless(command("ell.json"));
+    open(command("ell.json"));
+    display_->pressKey("s");  // before anything could be drawn
+    ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(folder_.file("view-001.png")); }));
+    quit("q");
+    EXPECT_EQ(readBytes(folder_.file("view-001.png")), readBytes(files_->file("headless.png")));
+}
+
 }  // namespace
 }  // namespace relievo::tests

@@ -52,9 +52,10 @@ void main() {
     SolidSurface surface =
         solidSurface(trace, view, placeX + back * turnX, placeY + back * turnY, turnX, turnY);
 #ifdef RELIEVO_SOLID_RELIEF
+    // To shadows and to the depth test it is its wall, which a shadow map has in it: what lies behind a wall
+    // would be in its shadow, and things behind the solid would show through near its edges.
     SolidRelief relief = solidRelief(trace, surface, view);
     vec3 normal = relief.normal;
-    trace.position = relief.position;
     surface.uv = relief.uv;
     reliefSelectLevel(0);
 #else
