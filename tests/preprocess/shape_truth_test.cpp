@@ -224,6 +224,15 @@ struct Wedge {
         return segments;
     }
 
+    // Of the centres of a map of size² texels.
+    [[nodiscard]] textures::Plane distances(int size) const {
+        textures::Plane exact(size, size);
+        for (int j = 0; j < size; ++j)
+            for (int i = 0; i < size; ++i)
+                exact.at(i, j) = static_cast<float>(outline.distance({i + 0.5, j + 0.5}));
+        return exact;
+    }
+
     static constexpr double kDegree = std::numbers::pi / 180.0;
     static glm::dvec2 along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 };
@@ -238,10 +247,7 @@ TEST(ShapeTruth, CreasedCornersAreSharpAtAnyPlaceAndTurn) {
         for (int k = 0; k < 40; ++k) {
             const glm::dvec2 place(kMap / 2 + unit(random), kMap / 2 + unit(random));
             const Wedge wedge(degrees, place, 2.0 * std::numbers::pi * unit(random));
-            textures::Plane exact(kMap, kMap);
-            for (int j = 0; j < kMap; ++j)
-                for (int i = 0; i < kMap; ++i)
-                    exact.at(i, j) = static_cast<float>(wedge.outline.distance({i + 0.5, j + 0.5}));
+            const textures::Plane exact = wedge.distances(kMap);
             const auto largest = [&](const SampledDistance& field) {
                 const OutlineErrors errors = measureErrors(field, wedge.contours, wedge.outline,
                                                            glm::ivec2(14), glm::ivec2(27), 64);
@@ -269,10 +275,7 @@ TEST(ShapeTruth, RidgesOutsideOfReflexCornersAreSharp) {
         for (int k = 0; k < 20; ++k) {
             const glm::dvec2 place(kMap / 2 + unit(random), kMap / 2 + unit(random));
             const Wedge wedge(degrees, place, 2.0 * std::numbers::pi * unit(random));
-            textures::Plane exact(kMap, kMap);
-            for (int j = 0; j < kMap; ++j)
-                for (int i = 0; i < kMap; ++i)
-                    exact.at(i, j) = static_cast<float>(wedge.outline.distance({i + 0.5, j + 0.5}));
+            const textures::Plane exact = wedge.distances(kMap);
             const SampledDistance field =
                 sampled(creaseCorners(wedge.boundary(), exact, textures::WrapMode::Clamp));
             for (int point = 0; point < 2000; ++point) {

@@ -67,32 +67,58 @@ int countWrong(const SolidPart& part, int rays, int samples, bool isDistance,
     return wrong;
 }
 
-TEST(Extrusion, AgreesWithItsImplicitFunction) {
-    std::mt19937_64 random(20261);
+using RandomShape = std::shared_ptr<const textures::ShapeMap> (*)(int, int, WrapMode,
+                                                                  std::mt19937_64&);
+
+// The maps to go through, and how.
+struct ExtrusionMaps {
+    RandomShape shape;
+    std::vector<std::pair<int, int>> sizes;
+    bool areDistances = true;
+    int rays = 500;
+    int samples = 40;
+};
+
+// Over all wrap modes and profiles. `creased` counts the maps with creases.
+int countWrongExtrusions(const ExtrusionMaps& maps, std::uint64_t seed, int* creased = nullptr) {
+    std::mt19937_64 random(seed);
     int wrong = 0;
     for (const WrapMode wrap : kWraps)
         for (const Profile& profile : manyProfiles())
-            for (const auto& [width, height] : {std::pair(16, 16), {13, 7}, {5, 11}}) {
-                SolidPart part = extrusion(randomDiscs(width, height, wrap, random), profile);
+            for (const auto& [width, height] : maps.sizes) {
+                SolidPart part = extrusion(maps.shape(width, height, wrap, random), profile);
                 part.windowMinimum = {-1.3, -0.4, 0.0};
-                part.windowMaximum = {1.7, 1.2, 0.9};
-                wrong += countWrong(part, 500, 40, true, random);
+                part.windowMaximum = {1.7, 1.2, maps.areDistances ? 0.9 : 1.0};
+                if (creased != nullptr)
+                    *creased += part.solid.shape->isCreased() ? 1 : 0;
+                wrong += countWrong(part, maps.rays, maps.samples, maps.areDistances, random);
             }
-    EXPECT_EQ(wrong, 0);
+    return wrong;
+}
+
+const std::vector<std::pair<int, int>> kTinySizes{{1, 1}, {1, 5}, {6, 1}, {4, 4}, {7, 3}};
+
+TEST(Extrusion, AgreesWithItsImplicitFunction) {
+    EXPECT_EQ(countWrongExtrusions({randomDiscs, {{16, 16}, {13, 7}, {5, 11}}}, 20261), 0);
 }
 
 TEST(Extrusion, OfMapsThatAreNoDistancesAgreesToo) {
-    std::mt19937_64 random(20262);
-    int wrong = 0;
-    for (const WrapMode wrap : kWraps)
-        for (const Profile& profile : manyProfiles())
-            for (const auto& [width, height] : {std::pair(1, 1), {1, 5}, {6, 1}, {4, 4}, {7, 3}}) {
-                SolidPart part = extrusion(randomTexels(width, height, wrap, random), profile);
-                part.windowMinimum = {-1.3, -0.4, 0.0};
-                part.windowMaximum = {1.7, 1.2, 1.0};
-                wrong += countWrong(part, 200, 40, false, random);
-            }
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(countWrongExtrusions({randomTexels, kTinySizes, false, 200}, 20262), 0);
+}
+
+TEST(Extrusion, WithSharpCornersAgreesWithItsImplicitFunction) {
+    int creased = 0;
+    EXPECT_EQ(
+        countWrongExtrusions({randomStar, {{32, 32}, {23, 17}}, true, 500, 60}, 20268, &creased),
+        0);
+    EXPECT_GT(creased, 30);
+}
+
+TEST(Extrusion, OfCreasesAnywhereAgreesToo) {
+    int creased = 0;
+    EXPECT_EQ(countWrongExtrusions({randomCreases, kTinySizes, false, 200, 60}, 20269, &creased),
+              0);
+    EXPECT_EQ(creased, 150);
 }
 
 TEST(Revolution, AgreesWithItsImplicitFunction) {
@@ -124,37 +150,6 @@ TEST(Revolution, OfMapsThatAreNoDistancesAgreesToo) {
             part.windowMaximum = {1.7, 1.2, 2.2};
             wrong += countWrong(part, 1000, 40, false, random);
         }
-    EXPECT_EQ(wrong, 0);
-}
-
-TEST(Extrusion, WithSharpCornersAgreesWithItsImplicitFunction) {
-    std::mt19937_64 random(20268);
-    int creased = 0;
-    int wrong = 0;
-    for (const WrapMode wrap : kWraps)
-        for (const Profile& profile : manyProfiles())
-            for (const auto& [width, height] : {std::pair(32, 32), {23, 17}}) {
-                SolidPart part = extrusion(randomStar(width, height, wrap, random), profile);
-                creased += part.solid.shape->isCreased() ? 1 : 0;
-                part.windowMinimum = {-1.3, -0.4, 0.0};
-                part.windowMaximum = {1.7, 1.2, 0.9};
-                wrong += countWrong(part, 500, 60, true, random);
-            }
-    EXPECT_EQ(wrong, 0);
-    EXPECT_GT(creased, 30);
-}
-
-TEST(Extrusion, OfCreasesAnywhereAgreesToo) {
-    std::mt19937_64 random(20269);
-    int wrong = 0;
-    for (const WrapMode wrap : kWraps)
-        for (const Profile& profile : manyProfiles())
-            for (const auto& [width, height] : {std::pair(1, 1), {1, 5}, {6, 1}, {4, 4}, {7, 3}}) {
-                SolidPart part = extrusion(randomCreases(width, height, wrap, random), profile);
-                part.windowMinimum = {-1.3, -0.4, 0.0};
-                part.windowMaximum = {1.7, 1.2, 1.0};
-                wrong += countWrong(part, 200, 60, false, random);
-            }
     EXPECT_EQ(wrong, 0);
 }
 
