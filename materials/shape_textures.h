@@ -11,9 +11,9 @@ namespace relievo::materials {
 
 /// A shape on the GPU.
 struct ShapeTextures {
-    /// Looked up four at a time, in texels: R32F, the distance to the outline; with creases RGB32F,
-    /// what steps go by, how far the distance is above it (and RELIEVO_SOLID_CREASE more at texels
-    /// with a crease), and codes; the last bit of the first is whether the other two are not 0.
+    /// Looked up four at a time, in texels: R32F, the distance to the outline; with creases RG32F,
+    /// around corners with marks in its last bits (RELIEVO_SOLID_MARK_BITS), and codes. The marks
+    /// make such a distance less by 2⁻¹⁶ of itself at most.
     gl::Texture distances;
     gl::Texture gradients;  ///< RG32F, unit gradients of the distance, linear
 };

@@ -44,6 +44,13 @@
 // What the code of a reflex crease has more than that of a convex one, in texels.
 #define RELIEVO_SOLID_CREASE 16.0
 #define RELIEVO_SOLID_LEAST_REFLEX 12.0
+// The last bits of a distance whose last one is set: the texel is lowered for steps, perhaps has a crease, and
+// for steps is lowered by so many units of which the deepest are the depth of the map's creases.
+#define RELIEVO_SOLID_MARK_BITS 127u
+#define RELIEVO_SOLID_MARK_LOWERED 1u
+#define RELIEVO_SOLID_MARK_CREASED 2u
+#define RELIEVO_SOLID_MARK_UNIT 4u
+#define RELIEVO_SOLID_MARK_DEEPEST 31u
 
 // How pictures are put on a solid: texturing.glsl.
 #define RELIEVO_TEXTURING_PLANAR_Z 0         // along z: (u, v)

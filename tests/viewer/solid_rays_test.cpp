@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "hostile_solid_rays.h"
@@ -58,6 +57,25 @@ materials::SolidMaterial materialOf(SolidTestStage& stage, const SolidCase& soli
     return material;
 }
 
+// Of solids with parts of the same kinds.
+class Programs {
+  public:
+    template <typename Make>
+    gl::Program& of(const materials::SolidMaterial& material, const Make& make) {
+        std::string key;
+        for (const shaders::Define& define : material.defines())
+            key += define.name + define.value;
+        const auto found = programs_.find(key);
+        return found != programs_.end() ? found->second
+                                        : programs_.emplace(key, make()).first->second;
+    }
+
+    void clear() { programs_.clear(); }
+
+  private:
+    std::map<std::string, gl::Program> programs_;
+};
+
 class SolidRays : public testing::Test {
   protected:
     static void SetUpTestSuite() { stage_ = std::make_unique<SolidTestStage>(); }
@@ -66,19 +84,12 @@ class SolidRays : public testing::Test {
         stage_.reset();
     }
 
-    // Of solids with parts of the same kinds.
     static gl::Program& programOf(const materials::SolidMaterial& material) {
-        std::string key;
-        for (const shaders::Define& define : material.defines())
-            key += define.name + define.value;
-        const auto found = programs_.find(key);
-        if (found != programs_.end())
-            return found->second;
-        return programs_.emplace(key, solidRayProgram(material)).first->second;
+        return programs_.of(material, [&] { return solidRayProgram(material); });
     }
 
     static inline std::unique_ptr<SolidTestStage> stage_;
-    static inline std::map<std::string, gl::Program> programs_;
+    static inline Programs programs_;
 };
 
 struct RegimeTally {
@@ -209,7 +220,13 @@ constexpr Variant kWrongVariants[] = {
      "float straight = gap / max(1.41421356 * speed + closing, 1e-30);",
      "return gap / max(speed + closing, 1e-30); float straight;"},
     {"chamfers that do not come nearer", solids::SolidKind::Extrusion,
-     "float closing = max(solidPieces[index].chords[way], 0.0) * abs(dz);", "float closing = 0.0;"},
+     "float closing = solidPieces[index].chords[way] * abs(dz);", "float closing = 0.0;"},
+    {"chamfers that retreat as fast again", solids::SolidKind::Extrusion,
+     "float closing = solidPieces[index].chords[way] * abs(dz);",
+     "float closing = solidPieces[index].chords[way] * abs(dz); closing *= closing < 0.0 ? 2.0 : "
+     "1.0;"},
+    {"steps by distances around corners", solids::SolidKind::Extrusion,
+     "distances - solidCreaseDepth(part) * share", "distances"},
     {"spheres half as large again as is safe", solids::SolidKind::Revolution,
      "const float kSolidShort = 1.0 - 1e-5;", "const float kSolidShort = 1.5;"},
     {"steps over the borders of replicas", solids::SolidKind::Revolution, "if (clear < tileExit) {",
@@ -236,17 +253,17 @@ gl::Program variantProgram(const materials::SolidMaterial& material, const Varia
 
 TEST_F(SolidRays, FindOutWrongSearches) {
     for (const Variant& variant : kWrongVariants) {
-        std::optional<gl::Program> program;
+        Programs programs;
         int wrong = 0;
         const bool isRevolution = variant.kind == solids::SolidKind::Revolution;
         for (const SolidCase& endless : isRevolution ? revolutionCases() : extrusionCases()) {
             const SolidCase solid = around(endless);
             const materials::SolidMaterial material = materialOf(*stage_, solid);
-            if (!program)
-                program = variantProgram(material, variant);
+            gl::Program& program =
+                programs.of(material, [&] { return variantProgram(material, variant); });
             const SolidRounding rounding(solid.compound);
             for (const MeasuredPixel& pixel :
-                 searchRays(material, *program, hostileSolidRays(solid.low, solid.high, 900)))
+                 searchRays(material, program, hostileSolidRays(solid.low, solid.high, 900)))
                 wrong += pixel.end >= 0.0f && !rounding.judge(pixel).isRight ? 1 : 0;
         }
         fmt::print("{}: {} wrong\n", variant.name, wrong);
@@ -265,19 +282,19 @@ TEST_F(SolidRays, TakeFewerLookupsForLeaps) {
     for (const solids::SolidKind kind :
          {solids::SolidKind::Extrusion, solids::SolidKind::Revolution}) {
         const Variant without{"no leaps", kind,
-                              "bool isRefused = leap.wasLost || !(radius > kSolidNearest);",
+                              "bool isRefused = leap.wasLost || !(outlook.radius > kSolidNearest);",
                               "bool isRefused = true;"};
-        std::optional<gl::Program> program;
+        Programs programs;
         double leaping = 0.0;
         double walking = 0.0;
         const bool isRevolution = kind == solids::SolidKind::Revolution;
         for (const SolidCase& endless : isRevolution ? revolutionCases() : extrusionCases()) {
             const SolidCase solid = around(endless);
             const materials::SolidMaterial material = materialOf(*stage_, solid);
-            if (!program)
-                program = variantProgram(material, without);
+            gl::Program& program =
+                programs.of(material, [&] { return variantProgram(material, without); });
             const std::vector<HostileSolidRay> rays = hostileSolidRays(solid.low, solid.high, 900);
-            const double other = meanFetches(searchRays(material, *program, rays));
+            const double other = meanFetches(searchRays(material, program, rays));
             const double ours = meanFetches(searchRays(material, programOf(material), rays));
             // In noise of single texels no guess is right.
             EXPECT_LT(ours, 1.2 * other) << solid.name;

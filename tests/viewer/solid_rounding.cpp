@@ -62,12 +62,6 @@ double steepestStep(const textures::ShapeMap& map) {
     return steepest * map.width();
 }
 
-// What rounding makes of distances as the texture of a map with creases has them, in texels: as a
-// sum with RELIEVO_SOLID_CREASE, and by codes that are as large.
-double creaseRounding(const textures::ShapeMap& map) {
-    return map.isCreased() ? 3.0 * 0x1p-20 : 0.0;
-}
-
 double steepestSlope(const Profile& profile) {
     double steepest = 0.0;
     for (const ProfilePiece& piece : profile.pieces)
@@ -81,6 +75,13 @@ double largestMagnitude(const Solid& solid) {
         for (const ProfilePiece& piece : solid.profile.pieces)
             largest = std::max({largest, std::abs(piece.topOffset), std::abs(piece.bottomOffset)});
     return largest;
+}
+
+// What distances are off by in the texture of a map with creases, in tile widths: those around
+// corners, which near the surface are up to `nearest`, by the marks in their last bits, and codes
+// by rounding.
+double creaseRounding(const textures::ShapeMap& map, double nearest) {
+    return map.isCreased() ? 0x1p-16 * nearest + 0x1p-20 / map.width() : 0.0;
 }
 
 // What rounding may be off in a part, `length` being the sum of what a ray's origin and its way to
@@ -108,8 +109,8 @@ PartRounding roundingOf(const SolidPart& part, double length) {
     const double place = 0x1p-21 * magnitude + 0x1p-22 / texels;
     // Along v a tile is as high as the aspect says.
     const double perTile = std::numbers::sqrt2 * steepestStep(map) * std::max(1.0, map.aspect());
-    double offset = perTile * place + 0x1p-21 * (largestMagnitude(part.solid) + 3.0 / map.width());
-    offset += creaseRounding(map) / map.width();
+    const double nearest = largestMagnitude(part.solid) + 3.0 / map.width();
+    double offset = perTile * place + 0x1p-21 * nearest + creaseRounding(map, nearest);
     if (part.solid.kind == SolidKind::Extrusion)
         offset += 2.0 * steepestSlope(part.solid.profile) * place;
     else

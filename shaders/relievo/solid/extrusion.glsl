@@ -3,8 +3,8 @@
 // the ray leaves a cell it goes on as far as the distance there says that all is free, and farther where that
 // can be made good. No step can pass the surface, whatever its slope, and no second search is needed.
 //
-// Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
-// surface; and one a leap that was too long.
+// Error: rounding of floats. Cost: one lookup a cell, at a crease one more where the ray may pass the surface;
+// and one a leap that was too long.
 #include "relievo/search/walk.glsl"
 #include "relievo/solid/cell.glsl"
 #include "relievo/solid/leap.glsl"
@@ -69,19 +69,20 @@ bool solidMeetField(int part, SolidPath path, ReliefWalk walk, vec3 distances, f
 }
 
 #ifdef RELIEVO_SOLID_CREASED
-// The same up to `exit` with creases, where the distance goes over from one field to the other. `steps` are
-// below the distance: where they do not come to the surface from outside it does not either.
-bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
-                     bool isOnSurface, inout SolidCursor cursor) {
+// The same up to `exit` with creases, where the distance goes over from one field to the other. Steps are below
+// the distance: where they do not come to the surface from outside it does not either.
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, SolidSamples samples,
+                     float exit, bool isOnSurface, inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
-    if (!cursor.isInside && !isOnSurface) {
+    if (samples.isCreased && !cursor.isInside && !isOnSurface) {
         SolidCursor ahead = cursor;
-        if (!solidMeetField(part, path, walk, reliefAlongCell(walk, steps), walk.t, exit, false, ahead)) {
+        vec3 steps = reliefAlongCell(walk, samples.steps);
+        if (!solidMeetField(part, path, walk, steps, walk.t, exit, false, ahead)) {
             cursor = ahead;
             return false;
         }
     }
-    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), samples);
     vec3 first = reliefAlongCell(walk, cell.first);
     vec3 second = reliefAlongCell(walk, cell.second);
     vec3 apart = first - second;
@@ -101,21 +102,21 @@ bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, v
     return false;
 }
 #else
-bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, vec4 steps, float exit,
-                     bool isOnSurface, inout SolidCursor cursor) {
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, SolidSamples samples,
+                     float exit, bool isOnSurface, inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
-    return solidMeetField(part, path, walk, sense * reliefAlongCell(walk, steps), walk.t, exit, isOnSurface,
-                          cursor);
+    return solidMeetField(part, path, walk, sense * reliefAlongCell(walk, samples.distances), walk.t, exit,
+                          isOnSurface, cursor);
 }
 #endif
 
 // Whether the surface has been passed where the walk's ray enters its cell: `gap` is sure of the distance less
 // the offset, both in the sense of the ray.
-bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, vec4 steps, float gap, float offset,
+bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, SolidSamples samples, float gap, float offset,
                     bool isInside) {
     if (!solidIsPassed(gap, isInside)) return false;
     if (solidIsPassed(gap + solidCreaseDepth(part), isInside)) return true;
-    SolidCell cell = solidCell(map, reliefWalkGather(walk), steps);
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), samples);
     float first = reliefAlongCell(walk, cell.first).x;
     float second = reliefAlongCell(walk, cell.second).x;
     float distance = solidIsFirst(cell, first, second) ? first : second;
@@ -127,9 +128,11 @@ void solidReachWalk(inout ReliefWalk walk, float t) {
     if (t > walk.exit) reliefJumpWalk(walk, t);
 }
 
-// By how much of itself the gap to the surface shrinks per unit of t, where the distance has that slope.
-float solidShrinking(int index, float sense, float distance, float slope, float z, float dz) {
-    return (sense * solidPieces[index].line.w * dz - slope) / (distance - sense * solidPieceOffset(index, z));
+// What is ahead at depth z, where the distance has that slope along the ray and `free` of t is free.
+SolidOutlook solidOutlook(int index, float sense, float distance, float slope, float free, float z,
+                          float dz, float speed) {
+    float gap = distance - sense * solidPieceOffset(index, z);
+    return SolidOutlook(gap, free * speed, -slope / speed, sense * solidPieces[index].line.w * dz / speed);
 }
 
 // On to the next place where the ray passes the surface, from the cursor's.
@@ -148,10 +151,9 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     int backPiece = cursor.piece;
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
-        ++reliefFetchCount;
-        vec4 steps = reliefGather(map, reliefWalkGather(walk));
+        SolidSamples samples = solidLookUp(map, part, reliefWalkGather(walk));
         // What is sure of the distance, in the sense of the ray.
-        vec3 sure = sense * reliefAlongCell(walk, steps);
+        vec3 sure = sense * reliefAlongCell(walk, samples.steps);
         if (cursor.isInside) sure.x -= solidCreaseDepth(part);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
@@ -160,7 +162,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
             if (isStart &&
-                solidHasPassed(map, part, walk, steps, sure.x - offset, offset, cursor.isInside)) {
+                solidHasPassed(map, part, walk, samples, sure.x - offset, offset, cursor.isInside)) {
                 // What is solid where a ray begins shows the side that it came in by.
                 cursor.side = path.enterNormal;
                 return;
@@ -179,7 +181,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         // A cell of no length leads neither off the surface nor through it.
         bool isBare = isOnSurface && exit <= cursor.t;
         if (clear <= exit && !isBare &&
-            solidMeetInCell(map, part, path, walk, steps, exit, isOnSurface, cursor))
+            solidMeetInCell(map, part, path, walk, samples, exit, isOnSurface, cursor))
             return;
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
@@ -200,10 +202,10 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         back = walk;
         backPiece = cursor.piece;
         leap.clear = max(clear, walk.t);
-        float shrinking = solidShrinking(solidPieceIndex(part, backPiece), sense, distance,
-                                         sure.y + 2.0 * sure.z * span, z, dz);
-        float radius = isOnSurface ? 0.0 : free * speed;
-        solidReachWalk(walk, solidLeap(leap, radius, shrinking, speed, float(walk.size.x), path.leave));
+        SolidOutlook outlook =
+            solidOutlook(solidPieceIndex(part, backPiece), sense, distance, sure.y + 2.0 * sure.z * span,
+                         isOnSurface ? 0.0 : free, z, dz, speed);
+        solidReachWalk(walk, solidLeap(leap, outlook, speed, float(walk.size.x), path.leave));
     }
     cursor.t = min(walk.t, leap.clear);
     solidIsExhausted = true;

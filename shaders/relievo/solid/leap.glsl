@@ -40,18 +40,35 @@ float solidClearOfIsland(inout SolidLeap leap, float clear) {
     return max(clear, leap.island.y);
 }
 
-// From `leap.clear` to the t at which to look next, before `end`. At the last place `radius` texels ahead were
-// free, and the gap to the surface shrank by `shrinking` of itself per unit of t. `width`: the map's texels.
+// What a leap is guessed from: a plane in place of the surface ahead, per texel of the ray's way.
+struct SolidOutlook {
+    float gap;      // texels that the distance is above the offset
+    float radius;   // texels of the way that are free
+    float nearing;  // how much the distance falls
+    float rising;   // how much the offset grows
+};
+
+// How many texels on a place may be whose free way reaches back to the radius r.
 //
-// With the gap g that has this radius, see solidFree, and its decrease c a texel the plane's gap is g − c·L
-// after L texels. What is free there reaches back to the radius for L ≤ 2·(radius − c·g) / (1 − c²).
-float solidLeap(inout SolidLeap leap, float radius, float shrinking, float speed, float width, float end) {
-    bool isRefused = leap.wasLost || !(radius > kSolidNearest);
+// L texels on the gap is g − (nearing + rising)·L, and by (specification 7.2) b texels are free backwards with
+// √(b² + ½) = gap + rising·b, as r is with √(r² + ½) = g − rising·r. So b = L − r has
+// (L − r)² + ½ = (A − nearing·L)², A = √(r² + ½). An offset that grows by a texel and more gives all the way
+// back as long as there is a gap.
+float solidLeapReach(SolidOutlook outlook) {
+    float nearing = min(outlook.nearing + kSolidBend, 1.0);
+    float closing = nearing + outlook.rising;
+    float reach = closing > 0.0 ? (outlook.gap - kSolidNearest) / closing : kReliefBoundless;
+    if (outlook.rising >= 1.0) return reach;
+    float radius = outlook.radius;
+    float back = radius - nearing * sqrt(radius * radius + 0.5);
+    return min(reach, 2.0 * back / max(1.0 - nearing * nearing, 1e-3));
+}
+
+// From `leap.clear` to the t at which to look next, before `end`. `width`: the map's texels.
+float solidLeap(inout SolidLeap leap, SolidOutlook outlook, float speed, float width, float end) {
+    bool isRefused = leap.wasLost || !(outlook.radius > kSolidNearest);
     leap.wasLost = false;
     if (isRefused) return leap.clear;
-    float gap = sqrt(radius * radius + 0.5);
-    float decrease = min(shrinking * gap / speed + kSolidBend, 1.0);
-    float reach = 2.0 * (radius - decrease * gap) / max(1.0 - decrease * decrease, 1e-3);
-    float texels = min(reach - radius, kSolidLongestLeap * width);
+    float texels = min(solidLeapReach(outlook) - outlook.radius, kSolidLongestLeap * width);
     return leap.clear + max(min(texels / speed, 0.5 * (end - leap.clear)), 0.0);
 }

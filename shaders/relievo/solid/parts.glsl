@@ -91,15 +91,15 @@ vec2 solidStoredGradient(int part, vec2 uv) {
 
 #ifdef RELIEVO_SOLID_CREASED
 bool solidCornerGradientOf(int part, vec2 uv, out vec2 gradient) {
-    if (part == 0) return solidCornerGradient(relievoSolidDistances0, uv, gradient);
+    if (part == 0) return solidCornerGradient(relievoSolidDistances0, part, uv, gradient);
 #if RELIEVO_SOLID_PARTS > 1
-    if (part == 1) return solidCornerGradient(relievoSolidDistances1, uv, gradient);
+    if (part == 1) return solidCornerGradient(relievoSolidDistances1, part, uv, gradient);
 #endif
 #if RELIEVO_SOLID_PARTS > 2
-    if (part == 2) return solidCornerGradient(relievoSolidDistances2, uv, gradient);
+    if (part == 2) return solidCornerGradient(relievoSolidDistances2, part, uv, gradient);
 #endif
 #if RELIEVO_SOLID_PARTS > 3
-    if (part == 3) return solidCornerGradient(relievoSolidDistances3, uv, gradient);
+    if (part == 3) return solidCornerGradient(relievoSolidDistances3, part, uv, gradient);
 #endif
     gradient = vec2(0.0);
     return false;

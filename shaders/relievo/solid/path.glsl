@@ -78,16 +78,18 @@ int solidWayBack(int way) { return way ^ 1; }  // of a ray that runs backwards
 bool solidIsPassed(float value, bool isInside) { return isInside ? value < 0.0 : value <= 0.0; }
 
 // The t until which a ray is free that is `gap` texels in front of a surface, goes `speed` texels a unit of t
-// and is approached by it at `closing` (≥ 0). The bilinear interpolation of distances is their mean over
+// and is approached by it at `closing` (< 0: it retreats). The bilinear interpolation of distances is their mean over
 // places rounded at random to the corners of the cell; from a place to one r texels on they are rounded by
 // a variance of ½ in all, and so it falls by at most √(r² + ½); and along each axis by r, so by √2·r.
+// A surface that retreats as fast as the ray goes is never reached; where it nearly does, digits cancel, and what
+// they are off by is taken off.
 float solidFree(float gap, float closing, float speed) {
     if (gap <= 0.0) return 0.0;
     float straight = gap / max(1.41421356 * speed + closing, 1e-30);
     float squares = gap * gap - 0.5;
     if (squares <= 0.0) return straight;
     float root = sqrt(speed * speed * squares + 0.5 * closing * closing);
-    return max(straight, squares / max(gap * closing + root, 1e-30));
+    return max(straight, squares / max(gap * closing + root * (1.0 + 5e-7), 1e-30));
 }
 
 // Rounding of a few operations must not make a step too long.

@@ -37,7 +37,7 @@ float solidFreeOfProfile(int part, int piece, int way, float distance, float z, 
     float gap = distance - solidParts[part].section.w;
     float sense = way < 2 ? 1.0 : -1.0;
     float everywhere = solidFree(gap - solidPieces[index].extremes[way], 0.0, speed);
-    float closing = max(solidPieces[index].chords[way], 0.0) * abs(dz);
+    float closing = solidPieces[index].chords[way] * abs(dz);
     float here = solidFree(gap - sense * solidPieceOffset(index, z), closing, speed);
     if (dz != 0.0) here = min(here, max((solidPieces[index].limits[way] - z) / dz, 0.0));
     return kSolidShort * max(everywhere, here);

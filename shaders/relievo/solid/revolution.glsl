@@ -3,8 +3,8 @@
 // that lies below the distance along it comes down to the surface. That is never behind the surface, and
 // twice as many digits are right each time. Every replica is a solid of its own: no step leaves its tile.
 //
-// Error: rounding of floats. Cost: one lookup a cell, with creases one or two more where the ray may pass the
-// surface; and one a leap that was too long.
+// Error: rounding of floats. Cost: one lookup a cell, at a crease one more where the ray may pass the surface;
+// and one a leap that was too long.
 #include "relievo/solid/cell.glsl"
 #include "relievo/solid/leap.glsl"
 #include "relievo/solid/section.glsl"
@@ -149,31 +149,33 @@ bool solidSectionRoot(SolidSectionCell cell, SolidSection section, float end, bo
     return false;
 }
 
-// solidSectionRoot for the distance of the section's cell, where `steps` are those of it. What they keep clear
+// solidSectionRoot for the distance of the section's cell, of which `samples` is known. What steps keep clear
 // of from outside the distance does as well.
-bool solidMeetSection(sampler2D map, SolidSection section, vec4 steps, float extension, float end,
+bool solidMeetSection(sampler2D map, SolidSection section, SolidSamples samples, float extension, float end,
                       SolidCursor cursor, bool isOnSurface, out float from, out float root) {
     float sense = cursor.isInside ? -1.0 : 1.0;
 #ifdef RELIEVO_SOLID_CREASED
-    if (!cursor.isInside && !isOnSurface) {
+    if (samples.isCreased && !cursor.isInside && !isOnSurface) {
         from = section.t;
-        bool isSettled = solidSectionRoot(solidSectionCell(SolidCell(steps, steps, true), extension, sense),
-                                          section, end, false, false, from, root);
+        SolidCell steps = SolidCell(samples.steps, samples.steps, true);
+        bool isSettled = solidSectionRoot(solidSectionCell(steps, extension, sense), section, end, false, false,
+                                          from, root);
         if (isSettled && root >= kReliefBoundless) return true;
     }
 #endif
     from = section.t;
-    SolidCell cell = solidCell(map, solidSectionGather(section), steps);
+    SolidCell cell = solidCell(map, solidSectionGather(section), samples);
     return solidSectionRoot(solidSectionCell(cell, extension, sense), section, end, isOnSurface, cursor.isInside,
                             from, root);
 }
 
 // Whether the surface has been passed where the ray enters the section's cell: `gap` is sure of the distance
 // less the extension, in the sense of the ray.
-bool solidHasPassed(sampler2D map, int part, SolidSection section, vec4 steps, float gap, bool isInside) {
+bool solidHasPassed(sampler2D map, int part, SolidSection section, SolidSamples samples, float gap,
+                    bool isInside) {
     if (!solidIsPassed(gap, isInside)) return false;
     if (solidIsPassed(gap + solidCreaseDepth(part), isInside)) return true;
-    SolidCell cell = solidCell(map, solidSectionGather(section), steps);
+    SolidCell cell = solidCell(map, solidSectionGather(section), samples);
     float value;
     solidShownField(solidSectionCell(cell, solidParts[part].section.z, isInside ? -1.0 : 1.0), section,
                      section.t, value);
@@ -233,15 +235,14 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
     SolidSection back = section;  // from where to go on after a leap that was too long
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
-        ++reliefFetchCount;
-        vec4 steps = reliefGather(map, solidSectionGather(section));
-        SolidCellField sure = solidCellField(steps, info.z, sense);
+        SolidSamples samples = solidLookUp(map, part, solidSectionGather(section));
+        SolidCellField sure = solidCellField(samples.steps, info.z, sense);
         if (cursor.isInside) sure.terms.x -= solidCreaseDepth(part);
         float exit = max(min(section.exit, tileExit), section.t);
         float clear = section.t;
         if (!isOnSurface) {
             float value = solidFieldAt(sure, section, section.t);
-            if (isFresh && solidHasPassed(map, part, section, steps, value, cursor.isInside)) {
+            if (isFresh && solidHasPassed(map, part, section, samples, value, cursor.isInside)) {
                 // What is solid where a ray comes in shows the side that it came in by.
                 cursor.t = section.t;
                 cursor.side = side;
@@ -259,7 +260,7 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
             float root;
             float from;
             bool isSettled =
-                solidMeetSection(map, section, steps, info.z, exit, cursor, isOnSurface, from, root);
+                solidMeetSection(map, section, samples, info.z, exit, cursor, isOnSurface, from, root);
             if (root < kReliefBoundless) {
                 cursor.t = root;
                 cursor.side = vec3(0.0);
@@ -280,12 +281,12 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
         isOnSurface = isOnSurface && exit <= cursor.t;  // a cell of no length does not lead off it
         if (clear < tileExit) {
             // The step alone is sure to leave the cell.
-            float shrinking = -solidFieldSlopes(sure, section, exit, exit).x / gap;
+            float slope = solidFieldSlopes(sure, section, exit, exit).x;
             solidStepSection(section);
             back = section;
             leap.clear = max(clear, section.t);
-            float radius = isOnSurface ? 0.0 : free * speed;
-            solidReachSection(section, solidLeap(leap, radius, shrinking, speed, float(size.x), tileExit));
+            SolidOutlook outlook = SolidOutlook(gap, isOnSurface ? 0.0 : free * speed, -slope / speed, 0.0);
+            solidReachSection(section, solidLeap(leap, outlook, speed, float(size.x), tileExit));
             continue;
         }
         cursor.isOnSurface = false;
