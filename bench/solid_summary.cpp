@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -126,6 +128,34 @@ ReportTable ratiosAtEqualError(const std::vector<SolidMeasurement>& measurements
     });
 }
 
+// The range of the ratios, and of how many cases there is one.
+ReportCell rangeAndCount(const std::vector<double>& ratios) {
+    std::vector<double> known;
+    std::ranges::copy_if(ratios, std::back_inserter(known),
+                         [](double r) { return !std::isnan(r); });
+    if (known.empty())
+        return {};
+    return fmt::format("{} ({} of {})", std::get<std::string>(rangeOf(known)), known.size(),
+                       ratios.size());
+}
+
+// Ours over theirs: a row a search, a column a share of wrong hits.
+ReportTable ratiosWithin(const std::vector<SolidMeasurement>& measurements) {
+    const SeriesOfBudgets series = byBudget(measurements);
+    MeasurementGrid grid;
+    for (const SolidMeasurement& m : measurements) {
+        const auto ours = series.find(keyOf(m, kOurs));
+        if (!m.isDefault || m.technique == kOurs || ours == series.end())
+            continue;
+        const std::vector<SolidMeasurement>& theirs = series.at(keyOf(m, m.technique));
+        for (const double percent : {20.0, 10.0, 5.0, 2.0, 1.0, 0.5})
+            grid.add(m.technique, fmt::format("{} %", percent),
+                     fetchesWithin(ours->second, theirs, 0.01 * percent)
+                         .value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return grid.table("search", rangeAndCount);
+}
+
 ReportTable costWithin(const std::vector<SolidMeasurement>& measurements, double wrongShare) {
     const SeriesOfBudgets series = byBudget(measurements);
     MeasurementGrid grid;
@@ -156,6 +186,15 @@ ReportTable profileTable(const std::vector<SolidMeasurement>& measurements) {
 }
 
 }  // namespace
+
+std::optional<double> fetchesWithin(const std::vector<SolidMeasurement>& ours,
+                                    const std::vector<SolidMeasurement>& theirs,
+                                    double wrongShare) {
+    const double other = leastCost(theirs, wrongShare, fetchesOf);
+    if (!(other < kNever))
+        return std::nullopt;
+    return leastCost(ours, wrongShare, fetchesOf) / other;
+}
 
 std::optional<double> fetchesAtEqualError(const std::vector<SolidMeasurement>& ours,
                                           const std::vector<SolidMeasurement>& theirs) {
@@ -196,6 +235,11 @@ std::vector<ReportSection> summariseSolids(const std::vector<SolidMeasurement>& 
          "of "
          "them ours never does.",
          ratiosAtEqualError(measurements, fetchesOf, techniqueOf, rangeOf)},
+        {"Our lookups for at most so many wrong hits",
+         "Over those of the other search, each with the cheapest budget with which no more of the "
+         "rays are wrong. From the least to the greatest ratio over solids, shapes and elevations, "
+         "of how many of these the other search comes to it.",
+         ratiosWithin(measurements)},
         {"Our lookups at equal error, solid by solid", "Likewise, mean over the shapes.",
          ratiosAtEqualError(measurements, fetchesOf, rowOf, meanOf)},
         {"Our time at equal error", "Likewise.",

@@ -20,4 +20,9 @@ std::vector<ReportSection> summariseSolids(const std::vector<SolidMeasurement>& 
 std::optional<double> fetchesAtEqualError(const std::vector<SolidMeasurement>& ours,
                                           const std::vector<SolidMeasurement>& theirs);
 
+/// Likewise, each with the least lookups with which at most `wrongShare` (0 to 1) of the rays are
+/// wrong; infinite when ours never has so few. Nothing when theirs never does.
+std::optional<double> fetchesWithin(const std::vector<SolidMeasurement>& ours,
+                                    const std::vector<SolidMeasurement>& theirs, double wrongShare);
+
 }  // namespace relievo::bench

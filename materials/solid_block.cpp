@@ -20,6 +20,7 @@ static_assert(solids::kMostParts == RELIEVO_SOLID_MOST_PARTS);
 static_assert(solids::kMostPieces == RELIEVO_SOLID_MOST_PIECES);
 static_assert(textures::kReflexTexels == RELIEVO_SOLID_CREASE);
 static_assert(textures::kLeastReflexTexels == RELIEVO_SOLID_LEAST_REFLEX);
+static_assert(textures::kCornersEndTexels == RELIEVO_SOLID_CORNERS_END);
 static_assert(static_cast<int>(solids::SolidTexturing::Box) == RELIEVO_TEXTURING_BOX);
 
 struct PartBlock {

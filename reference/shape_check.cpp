@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <vector>
 
 #include "reference/adversarial_rays.h"
 #include "reference/surface_crossings.h"
@@ -53,12 +54,19 @@ struct Subject {
     DepthMap relief;
     double least;  // offset
 
-    explicit Subject(const ShapeMap& map) : shape(map), relief{map.steps(), map.wrap}, least(0.0) {
-        if (map.isSigned)
-            least = *std::ranges::min_element(relief.depth.texels);
-    }
+    Subject(const ShapeMap& map, const textures::Plane& distances, double leastOffset)
+        : shape(map), relief{distances, map.wrap}, least(leastOffset) {}
     [[nodiscard]] glm::dvec2 size() const { return {shape.width(), shape.height()}; }
 };
+
+// Those of all offsets, and with creases those from where corners end.
+std::vector<Subject> subjectsOf(const ShapeMap& map) {
+    const double least = map.isSigned ? *std::ranges::min_element(map.steps().texels) : 0.0;
+    std::vector<Subject> subjects{{map, map.steps(), least}};
+    if (map.isCreased())
+        subjects.emplace_back(map, map.distance, textures::kCornersEndTexels / map.width());
+    return subjects;
+}
 
 glm::dvec2 drawStart(const Subject& subject, RayNumbers& numbers) {
     const glm::dvec2 place = drawPlace(subject.relief, numbers);
@@ -168,9 +176,10 @@ double safeStep(double free) noexcept {
 }
 
 ShapeReport checkShape(const ShapeMap& shape, const ShapeCheckOptions& options) {
-    const Subject subject(shape);
+    const std::vector<Subject> subjects = subjectsOf(shape);
     const auto checkRange = [&](const tbb::blocked_range<std::uint64_t>& range, Tally tally) {
         for (std::uint64_t ray = range.begin(); ray != range.end(); ++ray) {
+            const Subject& subject = subjects[ray % subjects.size()];
             std::optional<ShapeViolation> step = drawStep(subject, RayNumbers(options.seed, ray));
             if (!step)
                 continue;

@@ -25,6 +25,12 @@ namespace relievo::reference {
 /// each coordinate. Under clamp places outside the tile are moved to its border, which brings no
 /// two of them farther apart. With creases the samples are those of ShapeCreases::step, whose
 /// interpolation is nowhere above the distance.
+///
+/// At offsets of textures::kCornersEndTexels and more they may be the distances themselves. Let e
+/// be the larger one of a true distance and E = kCornersEndTexels − √2: a field as above, which the
+/// samples are but where true distances are at most E. In a cell with such a sample e is nowhere
+/// above E + √2: where e is above the offset there is none. And elsewhere there is no convex
+/// crease, so that the distance is no less than the interpolation of samples, which is that of e.
 double safeStep(double free) noexcept;
 
 /// How to check a map.
@@ -55,11 +61,12 @@ struct ShapeReport {
     double meanStep = 0.0;  ///< of the steps taken, in texels
 };
 
-/// Draws places, offsets in the range of the distances (from 0 on in an unsigned map) and
-/// directions, many of them at texels to which the distances fall the fastest, and takes the step
-/// that safeStep allows, for two tiles at most. It is followed exactly through the bilinear cells,
-/// in double precision; a step that gets more than 10⁻⁹ tile widths into {d ≤ offset} breaks the
-/// promise. The report depends on the arguments alone, not on threads.
+/// Draws places, offsets in the range of the distances (from 0 on in an unsigned map; with creases
+/// every other time of distances beyond corners) and directions, many of them at texels to which
+/// the distances fall the fastest, and takes the step that safeStep allows, for two tiles at most.
+/// It is followed exactly through the bilinear cells, in double precision; a step that gets more
+/// than 10⁻⁹ tile widths into {d ≤ offset} breaks the promise. The report depends on the arguments
+/// alone, not on threads.
 ShapeReport checkShape(const textures::ShapeMap& shape, const ShapeCheckOptions& options = {});
 
 }  // namespace relievo::reference

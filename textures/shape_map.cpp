@@ -67,6 +67,18 @@ void requireSafeSteps(const ShapeMap& shape) {
                 "the channel 'step' is above what the channels 'distance' and 'crease' allow");
 }
 
+void requireCornersToEnd(const ShapeMap& shape) {
+    const double most = (kCornersEndTexels - std::sqrt(2.0)) / shape.width();
+    for (std::size_t t = 0; t < shape.creases.code.texels.size(); ++t)
+        if (shape.creases.code.texels[t] != 0.0f && !shape.isReflex(t) &&
+            static_cast<double>(shape.distance.texels[t]) > most)
+            throw InputError(fmt::format(
+                "the channel 'crease' has a convex corner {:.2f} texels outside of the shape, "
+                "expected none beyond {:.2f}",
+                static_cast<double>(shape.distance.texels[t]) * shape.width(),
+                most * shape.width()));
+}
+
 }  // namespace
 
 float mostStep(const ShapeMap& shape, std::size_t texel) noexcept {
@@ -101,6 +113,7 @@ ShapeMap shapeMapOf(const MapSet& maps) {
     if (maps.find("crease") != nullptr)
         shape.creases = creasesOf(maps);
     requireSafeSteps(shape);
+    requireCornersToEnd(shape);
     return shape;
 }
 

@@ -15,6 +15,11 @@ inline constexpr double kReflexTexels = 16.0;
 /// From what code on a crease is a reflex one, in texels: less, as number formats round it.
 inline constexpr double kLeastReflexTexels = 12.0;
 
+/// The offset at which corners end: more than the diagonal of a texel deeper, convex creases are
+/// inside of the solid, and so are all samples that differ from true distances for the sake of a
+/// corner. From there on steps may go by the distance (reference::safeStep).
+inline constexpr double kCornersEndTexels = 4.0;
+
 /// What keeps the corners of a shape sharp: no bilinear distance has a corner. Around one, the
 /// distance is the larger (convex corner) or smaller (reflex corner) one of two bilinear fields, A
 /// and B, the distances to both sides of the corner; each sample is that of one side, and its code
@@ -69,6 +74,11 @@ struct ShapeMap {
     /// What steps go by.
     [[nodiscard]] const Plane& steps() const noexcept {
         return isCreased() ? creases.step : distance;
+    }
+    /// Whether steps may go by the distance itself as long as the offset (tile widths) is at least
+    /// that.
+    [[nodiscard]] bool isBeyondCorners(double offset) const noexcept {
+        return !isCreased() || offset * width() >= kCornersEndTexels;
     }
 };
 

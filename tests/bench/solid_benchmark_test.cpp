@@ -276,6 +276,16 @@ TEST(SolidSummary, FetchesAreComparedAtTheOtherSearchsLeastError) {
     EXPECT_EQ(fetchesAtEqualError({measurement(2, 0.2)}, theirs), std::nullopt);
 }
 
+TEST(SolidSummary, FetchesAreComparedWithinAnError) {
+    const std::vector<SolidMeasurement> theirs{measurement(10, 0.5), measurement(20, 0.1),
+                                               measurement(40, 0.05)};
+    const std::vector<SolidMeasurement> ours{measurement(2, 0.6), measurement(4, 0.08)};
+    EXPECT_DOUBLE_EQ(fetchesWithin(ours, theirs, 0.1).value_or(0.0), 4.0 / 20.0);
+    EXPECT_DOUBLE_EQ(fetchesWithin(ours, theirs, 0.7).value_or(0.0), 2.0 / 10.0);
+    EXPECT_EQ(fetchesWithin(ours, theirs, 0.04), std::nullopt);
+    EXPECT_GT(fetchesWithin(ours, theirs, 0.06).value_or(0.0), 1e300);
+}
+
 TEST(SolidBenchmark, HasARowForEverySearchThatShowsTheSolid) {
     SolidBenchmarkOptions options;
     options.solids = {"chamfer", "revolution"};

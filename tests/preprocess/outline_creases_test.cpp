@@ -148,6 +148,31 @@ TEST(OutlineCreases, StepDistancesAreNowhereSteeperThanDistances) {
     EXPECT_GT(steepestExcess(baked.creased.distance, WrapMode::Clamp), 0.1);
 }
 
+Plane noLessThan(Plane plane, double least) {
+    for (float& texel : plane.texels)
+        texel = std::max(texel, static_cast<float>(least));
+    return plane;
+}
+
+// From offsets of kCornersEndTexels on steps may go by distances: what corners change lies a
+// diagonal deeper, and lower limits would leave some of it.
+TEST(OutlineCreases, EndAtTheOffsetFromWhichOnDistancesAreSafe) {
+    constexpr int kSize = 72;
+    const double deepest = textures::kCornersEndTexels - std::sqrt(2.0);
+    for (const WrapMode wrap : kWraps) {
+        const Baked baked({{star({0.51, 0.62}, 0.45, 0.3)}}, kSize, wrap);
+        EXPECT_LT(steepestExcess(noLessThan(baked.creased.distance, deepest), wrap), 2e-3);
+        for (std::size_t k = 0; k < baked.distance.texels.size(); ++k) {
+            const double c = std::abs(baked.creased.code.texels[k]);
+            const bool isConvex = c > 0.0 && c < textures::kLeastReflexTexels;
+            EXPECT_TRUE(!isConvex || baked.creased.distance.texels[k] <= deepest);
+            const bool isChanged = baked.creased.distance.texels[k] != baked.distance.texels[k];
+            EXPECT_TRUE(!isChanged || baked.distance.texels[k] <= deepest);
+        }
+        EXPECT_GT(steepestExcess(noLessThan(baked.creased.distance, 0.0), wrap), 0.05);
+    }
+}
+
 // Convex and reflex corners in turn, `side` texels from each other.
 outlines::Contour stairs(double side) {
     outlines::Contour contour{{6.1, 60.2}};

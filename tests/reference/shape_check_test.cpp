@@ -69,15 +69,26 @@ TEST(ShapeCheck, TooLargeDistancesAreFoundAndCanBeTracedAgain) {
     }
 }
 
-// With creases steps go by a field of their own, which may be no steeper than distances are.
+// With creases steps go by a field of their own, which may be no steeper than distances are; where
+// corners have ended these themselves may not be.
 TEST(ShapeCheck, OfCreasesStepsAreChecked) {
     ShapeMap map = discMap(64, 64, 20.0, WrapMode::Clamp);
     map.creases = {Plane(64, 64), map.distance};
     EXPECT_EQ(checkShape(map, rays(40000)).violations, 0u);
-    // Steeper distances do not matter then, as long as steps are below them.
+    const ShapeMap sound = map;
+    // Distances that fall faster at the outline do not matter, as long as steps are below them.
+    const auto end = static_cast<float>(textures::kCornersEndTexels - std::sqrt(2.0)) / 64.0f;
     for (float& distance : map.distance.texels)
-        distance *= distance > 0.0f ? 1.2f : 1.0f;
+        distance = std::max(std::min(distance, 3.0f * distance - 2.0f * end), -end);
+    map.creases.step = map.distance;
+    for (std::size_t t = 0; t < sound.distance.texels.size(); ++t)
+        map.creases.step.texels[t] = std::min(sound.distance.texels[t] - 3.0f * end, -end);
     EXPECT_EQ(checkShape(map, rays(40000)).violations, 0u);
+    // But farther out they do.
+    for (float& distance : map.distance.texels)
+        distance *= distance > end ? 1.2f : 1.0f;
+    EXPECT_GT(checkShape(map, rays(40000)).violations, 0u);
+    map = sound;
     for (float& step : map.creases.step.texels)
         step *= step > 0.0f ? 1.2f : 1.0f;
     EXPECT_GT(checkShape(map, rays(40000)).violations, 0u);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "random_planes.h"
@@ -23,12 +24,15 @@ ShapeMap randomShape(bool isSigned) {
             0.0123};
 }
 
-// Codes of both kinds, and steps as high as they may be.
+// Codes of both kinds, convex ones near the outline, and steps as high as they may be.
 ShapeMap creasedShape() {
     ShapeMap shape = randomShape(true);
     shape.creases = {randomPlane(23, 17, -1.0f, 1.0f, 5), Plane(23, 17)};
-    for (std::size_t t = 0; t < shape.creases.step.texels.size(); ++t)
+    for (std::size_t t = 0; t < shape.creases.step.texels.size(); ++t) {
+        if (!shape.isReflex(t))
+            shape.distance.texels[t] = std::min(shape.distance.texels[t], 2.5f / 23.0f);
         shape.creases.step.texels[t] = mostStep(shape, t);
+    }
     return shape;
 }
 
@@ -70,17 +74,34 @@ TEST_F(ShapeMapFile, CreasesComeBackInExr) {
 // From three quarters of R on a crease is a reflex one, above which the distance is not lowered.
 TEST(ShapeMap, StepsKeepToWhatCreasesAllow) {
     ShapeMap shape = creasedShape();
-    shape.distance.texels[7] = 0.25f;
+    shape.distance.texels[7] = 0.05f;
     for (const float sign : {1.0f, -1.0f}) {
         shape.creases.code.texels[7] = sign * 2.0f / 23.0f;
-        EXPECT_FLOAT_EQ(mostStep(shape, 7), 0.25f - 1.0f / 23.0f);
+        EXPECT_FLOAT_EQ(mostStep(shape, 7), 0.05f - 1.0f / 23.0f);
         shape.creases.code.texels[7] = sign * 12.5f / 23.0f;
-        EXPECT_EQ(mostStep(shape, 7), 0.25f);
+        EXPECT_EQ(mostStep(shape, 7), 0.05f);
     }
-    shape.creases.step.texels[7] = 0.25f;
+    shape.creases.step.texels[7] = 0.05f;
     EXPECT_NO_THROW(shapeMapOf(mapSetOf(shape)));
-    shape.creases.step.texels[7] = 0.2501f;
+    shape.creases.step.texels[7] = 0.0501f;
     EXPECT_THROW(shapeMapOf(mapSetOf(shape)), InputError);
+}
+
+// Only corners of the outline itself: steps go by distances from some offset on.
+TEST(ShapeMap, RefusesConvexCreasesFarFromTheOutline) {
+    ShapeMap shape = creasedShape();
+    const auto most = static_cast<float>((kCornersEndTexels - std::sqrt(2.0)) / shape.width());
+    shape.creases.step.texels[7] = -1.0f;
+    for (const float code : {2.0f, -2.0f, 12.5f}) {
+        shape.creases.code.texels[7] = code / static_cast<float>(shape.width());
+        shape.distance.texels[7] = 0.999f * most;
+        EXPECT_NO_THROW(shapeMapOf(mapSetOf(shape)));
+        shape.distance.texels[7] = 1.001f * most;
+        if (code > 12.0f)
+            EXPECT_NO_THROW(shapeMapOf(mapSetOf(shape)));
+        else
+            EXPECT_THROW(shapeMapOf(mapSetOf(shape)), InputError);
+    }
 }
 
 TEST(ShapeMap, RefusesWhatMakesNoShape) {

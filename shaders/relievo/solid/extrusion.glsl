@@ -123,6 +123,25 @@ bool solidHasPassed(sampler2D map, int part, ReliefWalk walk, SolidSamples sampl
     return solidIsPassed((isInside ? -distance : distance) - offset, isInside);
 }
 
+// What is sure of the distance in the walk's cell, as reliefAlongCell has it, in the sense of the ray.
+struct SolidSureCell {
+    vec3 steps;
+    vec3 beyondCorners;
+};
+
+SolidSureCell solidSureCell(int part, ReliefWalk walk, SolidSamples samples, bool isInside) {
+    vec3 steps = reliefAlongCell(walk, samples.steps);
+    if (!isInside) return SolidSureCell(steps, reliefAlongCell(walk, samples.distances));
+    steps = -steps - vec3(solidCreaseDepth(part), 0.0, 0.0);
+    return SolidSureCell(steps, steps);
+}
+
+float solidAlong(vec3 terms, float s) { return terms.x + (terms.y + terms.z * s) * s; }
+
+SolidSure solidSureAt(SolidSureCell cell, float s) {
+    return SolidSure(solidAlong(cell.steps, s), solidAlong(cell.beyondCorners, s));
+}
+
 // On to t where that is beyond the walk's cell.
 void solidReachWalk(inout ReliefWalk walk, float t) {
     if (t > walk.exit) reliefJumpWalk(walk, t);
@@ -152,9 +171,7 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         SolidSamples samples = solidLookUp(map, part, reliefWalkGather(walk));
-        // What is sure of the distance, in the sense of the ray.
-        vec3 sure = sense * reliefAlongCell(walk, samples.steps);
-        if (cursor.isInside) sure.x -= solidCreaseDepth(part);
+        SolidSureCell sure = solidSureCell(part, walk, samples, cursor.isInside);
         float exit = min(walk.exit, path.leave);
         float z = path.origin.z + walk.t * dz;
         if (!isStart) cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
@@ -162,14 +179,14 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         if (!isOnSurface) {
             float offset = sense * solidPieceOffset(solidPieceIndex(part, cursor.piece), z);
             if (isStart &&
-                solidHasPassed(map, part, walk, samples, sure.x - offset, offset, cursor.isInside)) {
+                solidHasPassed(map, part, walk, samples, sure.steps.x - offset, offset, cursor.isInside)) {
                 // What is solid where a ray begins shows the side that it came in by.
                 cursor.side = path.enterNormal;
                 return;
             }
-            float ahead = solidFreeOfProfile(part, cursor.piece, way, sure.x, z, dz, speed);
-            float behind =
-                solidFreeOfProfile(part, cursor.piece, solidWayBack(way), sure.x, z, -dz, speed);
+            SolidSure here = solidSureAt(sure, 0.0);
+            float ahead = solidFreeOfProfile(part, cursor.piece, way, here, z, dz, speed);
+            float behind = solidFreeOfProfile(part, cursor.piece, solidWayBack(way), here, z, -dz, speed);
             if (!solidHasLanded(leap, walk.t, behind, ahead)) {
                 walk = back;
                 solidReachWalk(walk, leap.clear);
@@ -186,8 +203,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         z = path.origin.z + exit * dz;
         cursor.piece = solidPieceAt(part, cursor.piece, z, dz);
         float span = exit - walk.t;
-        float distance = sure.x + (sure.y + sure.z * span) * span;
-        float free = solidFreeOfProfile(part, cursor.piece, way, distance, z, dz, speed);
+        SolidSure there = solidSureAt(sure, span);
+        float free = solidFreeOfProfile(part, cursor.piece, way, there, z, dz, speed);
         clear = solidClearOfIsland(leap, max(clear, exit + free));
         if (clear >= path.leave) {
             cursor.t = cursor.isInside ? path.leave : kReliefBoundless;
@@ -203,8 +220,8 @@ void solidCrossExtrusion(sampler2D map, int part, SolidPath path, inout SolidCur
         backPiece = cursor.piece;
         leap.clear = max(clear, walk.t);
         SolidOutlook outlook =
-            solidOutlook(solidPieceIndex(part, backPiece), sense, distance, sure.y + 2.0 * sure.z * span,
-                         isOnSurface ? 0.0 : free, z, dz, speed);
+            solidOutlook(solidPieceIndex(part, backPiece), sense, there.steps,
+                         sure.steps.y + 2.0 * sure.steps.z * span, isOnSurface ? 0.0 : free, z, dz, speed);
         solidReachWalk(walk, solidLeap(leap, outlook, speed, float(walk.size.x), path.leave));
     }
     cursor.t = min(walk.t, leap.clear);

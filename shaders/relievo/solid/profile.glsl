@@ -30,15 +30,22 @@ int solidFirstPiece(int part, float z, float dz) {
     return solidPieceAt(part, dz >= 0.0 ? 0 : solidParts[part].ways.x - 1, z, dz);
 }
 
-// How far t can grow for certain before the ray passes the surface, at a place whose distance has the sense
-// of the ray (that of outside; its negative inside) and lies in `piece` at depth z.
-float solidFreeOfProfile(int part, int piece, int way, float distance, float z, float dz, float speed) {
+// What is sure of the distance at a place, in the sense of the ray: that of outside, or its negative inside.
+struct SolidSure {
+    float steps;
+    float beyondCorners;  // where the offset is RELIEVO_SOLID_CORNERS_END at least
+};
+
+// How far t can grow for certain before the ray passes the surface, from a place that lies in `piece` at depth z.
+float solidFreeOfProfile(int part, int piece, int way, SolidSure sure, float z, float dz, float speed) {
     int index = solidPieceIndex(part, piece);
-    float gap = distance - solidParts[part].section.w;
-    float sense = way < 2 ? 1.0 : -1.0;
-    float everywhere = solidFree(gap - solidPieces[index].extremes[way], 0.0, speed);
+    float offset = (way < 2 ? 1.0 : -1.0) * solidPieceOffset(index, z);
     float closing = solidPieces[index].chords[way] * abs(dz);
-    float here = solidFree(gap - sense * solidPieceOffset(index, z), closing, speed);
+    // Offsets that do not fall stay beyond corners.
+    bool isBeyond = offset >= RELIEVO_SOLID_CORNERS_END && closing >= 0.0;
+    float gap = (isBeyond ? sure.beyondCorners : sure.steps) - solidParts[part].section.w;
+    float everywhere = solidFree(gap - solidPieces[index].extremes[way], 0.0, speed);
+    float here = solidFree(gap - offset, closing, speed);
     if (dz != 0.0) here = min(here, max((solidPieces[index].limits[way] - z) / dz, 0.0));
     return kSolidShort * max(everywhere, here);
 }

@@ -236,7 +236,8 @@ void solidCrossRevolution(sampler2D map, int part, SolidPath path, inout SolidCu
     while (solidSteps < relievoSolidSteps) {
         ++solidSteps;
         SolidSamples samples = solidLookUp(map, part, solidSectionGather(section));
-        SolidCellField sure = solidCellField(samples.steps, info.z, sense);
+        bool isBeyondCorners = !cursor.isInside && info.z >= RELIEVO_SOLID_CORNERS_END;
+        SolidCellField sure = solidCellField(isBeyondCorners ? samples.distances : samples.steps, info.z, sense);
         if (cursor.isInside) sure.terms.x -= solidCreaseDepth(part);
         float exit = max(min(section.exit, tileExit), section.t);
         float clear = section.t;
