@@ -147,6 +147,8 @@ void checkSolidOptions(const ViewOptions& options) {
     if (!options.errorFile.empty() && isSceneFile(options.files.front().string()))
         throw UsageError("--error compares single shapes, not scenes");
     requireNoReliefOptions(options);
+    if (!isSceneFile(options.files.front().string()))
+        requireNoShadowTexels(options);
     for (const std::string& name : options.techniques)
         static_cast<void>(materials::findSolidTechnique(name));
     for (const ParameterSetting& setting : options.parameters)

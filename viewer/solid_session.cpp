@@ -14,7 +14,6 @@
 namespace relievo::viewer {
 namespace {
 
-constexpr int kShadowTexels = 2048;
 // In distances of a scene's camera: as far as its own picture goes.
 constexpr float kSceneReach = 4.0f;
 
@@ -193,7 +192,7 @@ const ShadowMap* SolidSession::shadowsFor(const ViewOptions& options) {
     if (!shadows_ || shadows_->light != options.light)
         shadows_ = Shadows{options.light,
                            FrameRenderer::emptyShadowMap(
-                               lightCamera(options.light, stage_->extent()), kShadowTexels)};
+                               lightCamera(options.light, stage_->extent()), options.shadowTexels)};
     return &shadows_->map;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
@@ -14,6 +15,9 @@
 
 namespace relievo::viewer {
 namespace {
+
+// How much of a shadow map the room takes, along each side: the outermost texels see nothing.
+constexpr float kLitShare = 0.98f;
 
 bool isBaked(const std::string& source) {
     return std::filesystem::exists(source) && std::filesystem::path(source).extension() != ".svg" &&
@@ -189,7 +193,17 @@ Camera lightCamera(const glm::vec2& light, const surfaces::SurfaceExtent& extent
     orbit.distance = 1.5f * radius;
     orbit.reach = 1.5f * radius;
     orbit.fieldOfView = glm::degrees(2.0f * std::atan(1.0f / 1.5f));
-    return orthographicCamera(orbit, 1.0f);
+    Camera camera = orthographicCamera(orbit, 1.0f);
+    // It holds the sphere around the room, in the middle of which the target is: as wide and high
+    // as the room itself is seen.
+    const glm::mat3 across(camera.viewProjection);
+    const glm::vec3 half = 0.5f * (extent.maximum - extent.minimum);
+    glm::vec3 seen(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        seen += half[axis] * glm::abs(across[axis]);
+    const glm::vec3 scale(kLitShare / glm::max(glm::vec2(seen), glm::vec2(1e-3f)), 1.0f);
+    camera.viewProjection = glm::scale(glm::mat4(1.0f), scale) * camera.viewProjection;
+    return camera;
 }
 
 }  // namespace relievo::viewer

@@ -137,6 +137,12 @@ void addShadowOptions(CLI::App& app, ViewOptions& options) {
         ->check(CLI::Range(0.0, 90.0))
         ->each([&options](const std::string&) { options.dependentOptions.insert("light-size"); })
         ->capture_default_str();
+    app.add_option(
+           "--shadow-texels", options.shadowTexels,
+           "Texels of a scene's shadow map on a side: more make finer edges and take longer")
+        ->check(CLI::Range(16, 8192))
+        ->each([&options](const std::string&) { options.sceneOptions.insert("shadow-texels"); })
+        ->capture_default_str();
 }
 
 // A picture, or one number for the whole surface.
@@ -383,10 +389,16 @@ void checkOutputOptions(const ViewOptions& options) {
         throw UsageError("--camera: expected a distance above 0");
 }
 
+void requireNoShadowTexels(const ViewOptions& options) {
+    if (options.sceneOptions.contains("shadow-texels"))
+        throw UsageError("--shadow-texels is for scenes, not for reliefs and single shapes");
+}
+
 void checkViewOptions(const ViewOptions& options) {
     if (options.list)
         return;
     checkOutputOptions(options);
+    requireNoShadowTexels(options);
     if (options.object == ObjectKind::ShapeBox)
         throw UsageError("--mesh shape-box is that of shapes, expected another for a relief");
     checkTechniques(options);

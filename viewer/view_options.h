@@ -55,6 +55,7 @@ struct ViewOptions {
     glm::vec2 light{-50.0f, 40.0f};  ///< azimuth and elevation in degrees
     float lightSize = 0.0f;          ///< what the light's disc spans in degrees; 0: a point
     std::string shadow = kNoShadow;  ///< of materials::shadowMethods(), or kNoShadow
+    int shadowTexels = 2048;         ///< of a scene's shadow map, on a side
     int width = 512;
     int height = 512;
     /// Where slopes come from; none: the best source that the file has.
@@ -65,7 +66,8 @@ struct ViewOptions {
     /// Those of --roughness, --metalness and --light-size that the command line has: alone they
     /// would do nothing.
     std::set<std::string> dependentOptions;
-    /// Those of --camera and --light that the command line has: they go over a scene's own.
+    /// Those of --camera, --light and --shadow-texels that the command line has: the first two go
+    /// over a scene's own, the last is for scenes alone.
     std::set<std::string> sceneOptions;
     bool bakedOcclusion = false;            ///< take the occlusion of the map file
     std::optional<int> level;               ///< the MIP level for all pixels; none: each its own
@@ -94,6 +96,10 @@ void addViewOptions(CLI::App& app, ViewOptions& options);
 /// Checks what the parser cannot: options that do not go together, names of techniques and
 /// parameters. Throws commands::UsageError or textures::InputError.
 void checkViewOptions(const ViewOptions& options);
+
+/// Throws commands::UsageError when the command line has --shadow-texels: what is shown is no
+/// scene.
+void requireNoShadowTexels(const ViewOptions& options);
 
 /// The part of it that concerns scenes and shapes as well: sizes, and what goes with --headless.
 void checkOutputOptions(const ViewOptions& options);

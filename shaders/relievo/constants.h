@@ -46,8 +46,9 @@
 #define RELIEVO_SOLID_LEAST_REFLEX 12.0
 // From this offset on, in texels, steps go by distances around corners as well.
 #define RELIEVO_SOLID_CORNERS_END 4.0
-// The last bits of a distance whose last one is set: the texel is lowered for steps, perhaps has a crease, and
-// for steps is lowered by so many units of which the deepest are the depth of the map's creases.
+// The last bits of a distance whose last one is set: the texel is lowered for steps, perhaps has a
+// crease, and for steps is lowered by so many units of which the deepest are the depth of the map's
+// creases.
 #define RELIEVO_SOLID_MARK_BITS 127u
 #define RELIEVO_SOLID_MARK_LOWERED 1u
 #define RELIEVO_SOLID_MARK_CREASED 2u

@@ -9,6 +9,7 @@
 #include "bench/scenes.h"
 #include "depth_agreement.h"
 #include "relief_scene.h"
+#include "viewer/solid_stage.h"
 
 namespace relievo::viewer {
 namespace {
@@ -108,6 +109,30 @@ TEST_F(ShadowMaps, TheCheckCatchesShadowsOfAnotherLight) {
     bench::SceneModel moved = model_;
     moved.light.azimuth += 2.0f;
     EXPECT_GT(shadowErrors(orthographicCamera(moved.light, 1.0f), 2048).wrongShare[0], 0.012);
+}
+
+// All of a room and not much more, from above, from the side and from below.
+TEST(LightCamera, HoldsTheRoomAsLargeAsItCan) {
+    const surfaces::SurfaceExtent room{{-3.0f, 1.0f, 0.0f}, {5.0f, 2.5f, 0.5f}};
+    for (const glm::vec2 light : {glm::vec2(20.0f, 40.0f), {-130.0f, 90.0f}, {70.0f, -5.0f}}) {
+        const Camera camera = lightCamera(light, room);
+        glm::vec3 low(2.0f);
+        glm::vec3 high(-2.0f);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 place(corner & 1 ? room.maximum.x : room.minimum.x,
+                                  corner & 2 ? room.maximum.y : room.minimum.y,
+                                  corner & 4 ? room.maximum.z : room.minimum.z);
+            const glm::vec4 seen = camera.viewProjection * glm::vec4(place, 1.0f);
+            low = glm::min(low, glm::vec3(seen));
+            high = glm::max(high, glm::vec3(seen));
+        }
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_NEAR(low[axis], -0.98f, 1e-5f);
+            EXPECT_NEAR(high[axis], 0.98f, 1e-5f);
+        }
+        EXPECT_GT(low.z, -1.0f);
+        EXPECT_LT(high.z, 1.0f);
+    }
 }
 
 }  // namespace

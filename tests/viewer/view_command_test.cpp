@@ -283,6 +283,8 @@ TEST_F(ViewCommandTest, OptionsOfReliefsAreNotThoseOfShapes) {
     expectFailure(render(drawing, picture, {"--level", "1"}), 2, "--level");
     expectFailure(render(drawing, picture, {"--orm", "orm.png"}), 2, "--orm");
     expectFailure(render(drawing, picture, {"--light-size", "1"}), 2, "--light-size");
+    expectFailure(render(drawing, picture, {"--shadow-texels", "512"}), 2, "--shadow-texels");
+    expectFailure(render(map(), picture, {"--shadow-texels", "512"}), 2, "--shadow-texels");
     expectFailure(render(drawing, picture, {"--technique", "cone"}), 1, "cone");
     expectFailure(render(drawing, picture, {"--mesh", "shape-box", "--depth-scale", "0"}), 1,
                   "depth");

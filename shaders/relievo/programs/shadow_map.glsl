@@ -19,11 +19,15 @@ float shadowMapVisibility(vec3 position) {
     return place.z <= deepest + rounding ? 1.0 : 0.0;
 }
 
+// The widths of a texel of the map in the world.
+vec2 shadowMapTexel() {
+    mat3 across = transpose(mat3(shadowViewProjection));
+    return 2.0 / (vec2(textureSize(shadowMap, 0)) * vec2(length(across[0]), length(across[1])));
+}
+
 // The same for a surface that curves, or that shadows itself by other means: from a place that lies off it by
 // the width of a texel of the map and a half, so that the surface itself is not in its way.
 float shadowMapVisibility(vec3 position, vec3 normal) {
-    float texels = float(textureSize(shadowMap, 0).x);
-    float texel = 2.0 / (texels * length(vec3(shadowViewProjection[0].x, shadowViewProjection[1].x,
-                                              shadowViewProjection[2].x)));
-    return shadowMapVisibility(position + 1.5 * texel * normal);
+    vec2 texel = shadowMapTexel();
+    return shadowMapVisibility(position + 1.5 * max(texel.x, texel.y) * normal);
 }

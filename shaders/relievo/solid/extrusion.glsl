@@ -26,23 +26,69 @@ void solidMeetStep(float t, float dz, inout SolidCursor cursor) {
     cursor.isOnSurface = false;
 }
 
-// Looks for the surface on the part of the walk's cell between `from` and `exit`. `distances` are those of
-// reliefAlongCell in the sense of the ray. False: the cursor's piece is that at the exit.
-bool solidMeetField(int part, SolidPath path, ReliefWalk walk, vec3 distances, float from, float exit,
-                    bool isOnSurface, inout SolidCursor cursor) {
+// The distance in the walk's cell as reliefAlongCell has it, in the sense of the ray: that of one field or, from
+// crease to crease (t), of another one.
+struct SolidAlong {
+    vec3 first;
+#ifdef RELIEVO_SOLID_CREASED
+    vec3 second;
+    vec2 creases;
+    bool isLarger;
+#endif
+};
+
+float solidAlong(vec3 terms, float s) { return terms.x + (terms.y + terms.z * s) * s; }
+
+SolidAlong solidAlongCell(ReliefWalk walk, SolidCell cell, float sense) {
+    vec3 first = sense * reliefAlongCell(walk, cell.first);
+#ifdef RELIEVO_SOLID_CREASED
+    vec3 second = sense * reliefAlongCell(walk, cell.second);
+    return SolidAlong(first, second, walk.t + solidZeros(first - second), cell.isLarger == (sense > 0.0));
+#else
+    return SolidAlong(first);
+#endif
+}
+
+// The field that is the distance from `from` on, and up to what t before `to`.
+vec3 solidFieldFrom(SolidAlong along, ReliefWalk walk, float from, inout float to) {
+#ifdef RELIEVO_SOLID_CREASED
+    if (from < along.creases.y) to = min(to, from < along.creases.x ? along.creases.x : along.creases.y);
+    float apart = solidAlong(along.first - along.second, 0.5 * (from + to) - walk.t);
+    if ((apart > 0.0) != along.isLarger) return along.second;
+#endif
+    return along.first;
+}
+
+// The difference of a field and the offset of a piece along the ray from `from` on, as reliefAlongCell has it.
+vec3 solidGapAlong(SolidPath path, ReliefWalk walk, vec3 distances, int index, float from, float sense) {
+    float s = from - walk.t;
+    float dz = path.direction.z;
+    float offset = solidPieceOffset(index, path.origin.z + from * dz);
+    return vec3(solidAlong(distances, s) - sense * offset,
+                distances.y + 2.0 * distances.z * s - sense * solidPieces[index].line.w * dz, distances.z);
+}
+
+// The t at which the ray leaves a piece's depths.
+float solidPieceExit(SolidPath path, vec4 line) {
+    float dz = path.direction.z;
+    return dz != 0.0 ? ((dz > 0.0 ? line.y : line.x) - path.origin.z) / dz : kReliefBoundless;
+}
+
+// Looks for the surface in the walk's cell up to `exit`. False: the cursor's piece is that at the exit.
+bool solidMeetField(int part, SolidPath path, ReliefWalk walk, SolidAlong along, float exit, bool isOnSurface,
+                    inout SolidCursor cursor) {
     float sense = cursor.isInside ? -1.0 : 1.0;
     float dz = path.direction.z;
+    float from = walk.t;
     bool isStep = false;
-    for (int pieces = solidParts[part].ways.x; pieces > 0; --pieces) {
+    for (int stretches = solidParts[part].ways.x + 2; stretches > 0; --stretches) {
         int index = solidPieceIndex(part, cursor.piece);
         vec4 line = solidPieces[index].line;
-        float z = path.origin.z + from * dz;
-        float leave = kReliefBoundless;
-        if (dz != 0.0) leave = ((dz > 0.0 ? line.y : line.x) - path.origin.z) / dz;
-        float to = min(max(leave, from), exit);
-        float s = from - walk.t;
-        vec3 g = vec3(distances.x + (distances.y + distances.z * s) * s - sense * solidPieceOffset(index, z),
-                      distances.y + 2.0 * distances.z * s - sense * line.w * dz, distances.z);
+        float leave = solidPieceExit(path, line);
+        float end = min(max(leave, from), exit);
+        float to = end;
+        vec3 distances = solidFieldFrom(along, walk, from, to);
+        vec3 g = solidGapAlong(path, walk, distances, index, from, sense);
         float root = solidFirstRoot(g, to - from, isOnSurface, cursor.isInside);
         if (root < kReliefBoundless) {
             float t = from + root;
@@ -53,62 +99,39 @@ bool solidMeetField(int part, SolidPath path, ReliefWalk walk, vec3 distances, f
             }
             return true;
         }
+        from = to;
+        isOnSurface = false;
+        isStep = false;
+        if (to < end) continue;
         if (leave >= exit) return false;
         int next = cursor.piece + (dz > 0.0 ? 1 : -1);
         if (next < 0 || next >= solidParts[part].ways.x) return false;
         float border = dz > 0.0 ? line.y : line.x;
         int nextIndex = solidPieceIndex(part, next);
         // Where the offsets agree the next piece begins with a wall, whatever rounding says.
-        float rise = sense * (solidPieceOffset(nextIndex, border) - solidPieceOffset(index, border));
-        isStep = rise > 1e-3;
+        isStep = sense * (solidPieceOffset(nextIndex, border) - solidPieceOffset(index, border)) > 1e-3;
         cursor.piece = next;
-        from = to;
-        isOnSurface = false;
     }
     return false;
 }
 
+// The same for what one lookup says of the cell. Steps are below the distance: where within a piece they do not come
+// to the surface from outside the distance does not either, and no crease is looked up.
+bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, SolidSamples samples,
+                     float exit, bool isOnSurface, inout SolidCursor cursor) {
+    float sense = cursor.isInside ? -1.0 : 1.0;
 #ifdef RELIEVO_SOLID_CREASED
-// The same up to `exit` with creases, where the distance goes over from one field to the other. Steps are below
-// the distance: where they do not come to the surface from outside it does not either.
-bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, SolidSamples samples,
-                     float exit, bool isOnSurface, inout SolidCursor cursor) {
-    float sense = cursor.isInside ? -1.0 : 1.0;
     if (samples.isCreased && !cursor.isInside && !isOnSurface) {
-        SolidCursor ahead = cursor;
-        vec3 steps = reliefAlongCell(walk, samples.steps);
-        if (!solidMeetField(part, path, walk, steps, walk.t, exit, false, ahead)) {
-            cursor = ahead;
+        int index = solidPieceIndex(part, cursor.piece);
+        vec3 g = solidGapAlong(path, walk, reliefAlongCell(walk, samples.steps), index, walk.t, 1.0);
+        if (solidPieceExit(path, solidPieces[index].line) >= exit &&
+            solidFirstRoot(g, exit - walk.t, false, false) >= kReliefBoundless)
             return false;
-        }
     }
-    SolidCell cell = solidCell(map, reliefWalkGather(walk), samples);
-    vec3 first = reliefAlongCell(walk, cell.first);
-    vec3 second = reliefAlongCell(walk, cell.second);
-    vec3 apart = first - second;
-    vec2 creases = walk.t + solidZeros(apart);
-    float from = walk.t;
-    for (int k = 0; k < 3; ++k) {
-        float to = k == 0 ? creases.x : (k == 1 ? creases.y : exit);
-        to = min(to, exit);
-        if (to < from || (to == from && k < 2)) continue;
-        float s = 0.5 * (from + to) - walk.t;
-        bool isFirst = solidIsFirst(cell, apart.x + (apart.y + apart.z * s) * s, 0.0);
-        if (solidMeetField(part, path, walk, sense * (isFirst ? first : second), from, to, isOnSurface, cursor))
-            return true;
-        from = to;
-        isOnSurface = false;
-    }
-    return false;
-}
-#else
-bool solidMeetInCell(sampler2D map, int part, SolidPath path, ReliefWalk walk, SolidSamples samples,
-                     float exit, bool isOnSurface, inout SolidCursor cursor) {
-    float sense = cursor.isInside ? -1.0 : 1.0;
-    return solidMeetField(part, path, walk, sense * reliefAlongCell(walk, samples.distances), walk.t, exit,
-                          isOnSurface, cursor);
-}
 #endif
+    SolidCell cell = solidCell(map, reliefWalkGather(walk), samples);
+    return solidMeetField(part, path, walk, solidAlongCell(walk, cell, sense), exit, isOnSurface, cursor);
+}
 
 // Whether the surface has been passed where the walk's ray enters its cell: `gap` is sure of the distance less
 // the offset, both in the sense of the ray.
@@ -135,8 +158,6 @@ SolidSureCell solidSureCell(int part, ReliefWalk walk, SolidSamples samples, boo
     steps = -steps - vec3(solidCreaseDepth(part), 0.0, 0.0);
     return SolidSureCell(steps, steps);
 }
-
-float solidAlong(vec3 terms, float s) { return terms.x + (terms.y + terms.z * s) * s; }
 
 SolidSure solidSureAt(SolidSureCell cell, float s) {
     return SolidSure(solidAlong(cell.steps, s), solidAlong(cell.beyondCorners, s));
