@@ -111,6 +111,24 @@ TEST_F(ShadowMaps, TheCheckCatchesShadowsOfAnotherLight) {
     EXPECT_GT(shadowErrors(orthographicCamera(moved.light, 1.0f), 2048).wrongShare[0], 0.012);
 }
 
+// Of a map that ends before the objects, and shows none.
+TEST_F(ShadowMaps, LeaveLitWhatIsBehindAllOfThem) {
+    OrbitCamera near = model_.light;
+    near.target += 2.0f * glm::vec3(light_.eye);
+    near.reach = 0.1f;
+    const Camera light = orthographicCamera(near, 1.0f);
+    const ShadowMap shadow = frames_.castShadows({}, light, 64);
+    view_.shadowMap = &shadow;
+    const VisibleFrame frame = frames_.show(scene_.objects(), view_, kWidth, kHeight);
+    int seen = 0;
+    for (const VisiblePixel& pixel : frame.pixels)
+        if (pixel.object >= 0) {
+            ++seen;
+            EXPECT_TRUE(pixel.isLit);
+        }
+    EXPECT_GT(seen, 1000);
+}
+
 // All of a room and not much more, from above, from the side and from below.
 TEST(LightCamera, HoldsTheRoomAsLargeAsItCan) {
     const surfaces::SurfaceExtent room{{-3.0f, 1.0f, 0.0f}, {5.0f, 2.5f, 0.5f}};

@@ -14,6 +14,8 @@ float shadowMapVisibility(vec3 position) {
     // The outermost texels have no neighbours, and what ends there may cover half of one.
     vec2 margin = 1.0 / vec2(textureSize(shadowMap, 0));
     if (any(lessThan(place.xy, margin)) || any(greaterThan(place.xy, 1.0 - margin))) return 1.0;
+    // Behind all that the map shows: in the shadow of what is there, if anything is.
+    place.z = min(place.z, 1.0);
     vec4 depths = textureGather(shadowMap, place.xy);
     float deepest = max(max(depths.x, depths.y), max(depths.z, depths.w));
     return place.z <= deepest + rounding ? 1.0 : 0.0;
