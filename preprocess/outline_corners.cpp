@@ -197,18 +197,23 @@ double OutlineSide::distance(const glm::dvec2& place) const noexcept {
     return result;
 }
 
-double OutlineCorner::distance(const glm::dvec2& where) const noexcept {
-    return isConvex ? std::max(toA(where), toB(where)) : std::min(toA(where), toB(where));
+SideDistances OutlineCorner::sides(const glm::dvec2& where) const noexcept {
+    return isBehindA ? SideDistances{behind.distance(where), before.distance(where)}
+                     : SideDistances{before.distance(where), behind.distance(where)};
 }
 
-bool OutlineCorner::isOnA(const glm::dvec2& where) const noexcept {
-    return (toA(where) > toB(where)) == isConvex;
+double OutlineCorner::distance(const SideDistances& sides) const noexcept {
+    return isConvex ? std::max(sides.toA, sides.toB) : std::min(sides.toA, sides.toB);
 }
 
-double OutlineCorner::code(const glm::dvec2& where) const noexcept {
+bool OutlineCorner::isOnA(const SideDistances& sides) const noexcept {
+    return (sides.toA > sides.toB) == isConvex;
+}
+
+double OutlineCorner::code(const SideDistances& sides) const noexcept {
     const double size =
-        std::abs(toA(where) - toB(where)) + (isConvex ? 0.0 : textures::kReflexTexels);
-    return isOnA(where) ? -size : size;
+        std::abs(sides.toA - sides.toB) + (isConvex ? 0.0 : textures::kReflexTexels);
+    return isOnA(sides) ? -size : size;
 }
 
 OutlineCorners outlineCorners(const std::vector<BoundarySegment>& boundary, double leastTurn) {

@@ -26,6 +26,12 @@ class OutlineSide {
     double length_ = 0.0;
 };
 
+/// Distances to both sides of a corner, in texels.
+struct SideDistances {
+    double toA = 0.0;
+    double toB = 0.0;
+};
+
 /// A corner of an outline, as textures::ShapeCreases has it: A and B are the distances to its
 /// sides, and the distance around it is the larger one, if it is convex, or the smaller one.
 struct OutlineCorner {
@@ -36,17 +42,13 @@ struct OutlineCorner {
     OutlineSide behind;
     bool isBehindA = false;  ///< A is the side behind
 
-    [[nodiscard]] double toA(const glm::dvec2& where) const noexcept {
-        return (isBehindA ? behind : before).distance(where);
-    }
-    [[nodiscard]] double toB(const glm::dvec2& where) const noexcept {
-        return (isBehindA ? before : behind).distance(where);
-    }
-    [[nodiscard]] double distance(const glm::dvec2& where) const noexcept;
-    /// Whether the distance of a place is that to A.
-    [[nodiscard]] bool isOnA(const glm::dvec2& where) const noexcept;
-    /// The code of a sample, in texels.
-    [[nodiscard]] double code(const glm::dvec2& where) const noexcept;
+    [[nodiscard]] SideDistances sides(const glm::dvec2& where) const noexcept;
+    /// The distance of a place with these.
+    [[nodiscard]] double distance(const SideDistances& sides) const noexcept;
+    /// Whether that is the one to A.
+    [[nodiscard]] bool isOnA(const SideDistances& sides) const noexcept;
+    /// The code of a sample there, in texels.
+    [[nodiscard]] double code(const SideDistances& sides) const noexcept;
 };
 
 /// How much of the outline a side has before it goes straight on, in texels.

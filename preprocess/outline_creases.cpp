@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
@@ -51,12 +52,38 @@ struct Distances {
     }
 };
 
+// The distances to the sides of a corner, which have many segments: each place is measured once.
+class MeasuredCorner {
+  public:
+    explicit MeasuredCorner(const OutlineCorner& corner) : corner_(corner) {}
+
+    [[nodiscard]] const OutlineCorner& corner() const { return corner_; }
+    // At the centre of texel (i,j).
+    const SideDistances& atTexel(int i, int j) { return at(2 * i + 1, 2 * j + 1); }
+    // At the centre of the cell between samples (i,j) and (i+1,j+1).
+    const SideDistances& atCell(int i, int j) { return at(2 * i + 2, 2 * j + 2); }
+
+  private:
+    // In half texels.
+    const SideDistances& at(int x, int y) {
+        const auto key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U |
+                         static_cast<std::uint32_t>(x);
+        const auto [found, isNew] = measured_.try_emplace(key);
+        if (isNew)
+            found->second = corner_.sides(0.5 * glm::dvec2(x, y));
+        return found->second;
+    }
+
+    const OutlineCorner& corner_;
+    std::unordered_map<std::uint64_t, SideDistances> measured_;
+};
+
 // Whether the cell between samples (i,j) and (i+1,j+1) may have the outline in it, and a part of it
 // that the corner knows of: its centre and one of its samples are then no further from it than half
 // the diagonal.
-bool mayHaveOutline(const OutlineCorner& corner, const Distances& distances, int i, int j) {
+bool mayHaveOutline(MeasuredCorner& sides, const Distances& distances, int i, int j) {
     constexpr double kHalfDiagonal = 0.70711;
-    if (std::abs(corner.distance(glm::dvec2(i + 1, j + 1))) > kHalfDiagonal)
+    if (std::abs(sides.corner().distance(sides.atCell(i, j))) > kHalfDiagonal)
         return false;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
@@ -66,11 +93,11 @@ bool mayHaveOutline(const OutlineCorner& corner, const Distances& distances, int
 }
 
 // Whether the cell between samples (i,j) and (i+1,j+1) has some on both sides of the crease.
-bool isCreased(const OutlineCorner& corner, int i, int j) {
+bool isCreased(MeasuredCorner& sides, int i, int j) {
     int onA = 0;
     for (const int y : {j, j + 1})
         for (const int x : {i, i + 1})
-            onA += corner.isOnA(glm::dvec2(x + 0.5, y + 0.5)) ? 1 : 0;
+            onA += sides.corner().isOnA(sides.atTexel(x, y)) ? 1 : 0;
     return onA % 4 != 0;
 }
 
@@ -80,13 +107,13 @@ struct Need {
     bool ofCrease = false;  // a code as well
 };
 
-Need needOf(const OutlineCorner& corner, const Distances& distances, int i, int j) {
+Need needOf(MeasuredCorner& sides, const Distances& distances, int i, int j) {
     Need need;
     for (const int y : {j - 1, j})
         for (const int x : {i - 1, i})
-            if (mayHaveOutline(corner, distances, x, y)) {
+            if (mayHaveOutline(sides, distances, x, y)) {
                 need.ofValue = true;
-                need.ofCrease = need.ofCrease || isCreased(corner, x, y);
+                need.ofCrease = need.ofCrease || isCreased(sides, x, y);
             }
     return need;
 }
@@ -118,6 +145,7 @@ CornerSamples samplesOf(const OutlineCorner& corner, const Distances& distances)
     const int most = static_cast<int>(std::ceil(reach));
     const int x = static_cast<int>(std::floor(corner.place.x));
     const int y = static_cast<int>(std::floor(corner.place.y));
+    MeasuredCorner sides(corner);
     CornerSamples result;
     for (int j = std::max(0, y - most); j <= std::min(distances.plane.height - 1, y + most); ++j)
         for (int i = std::max(0, x - most); i <= std::min(distances.plane.width - 1, x + most);
@@ -126,11 +154,11 @@ CornerSamples samplesOf(const OutlineCorner& corner, const Distances& distances)
             const double away = glm::distance(place, corner.place) / reach;
             if (away >= 1.0)
                 continue;
-            const Need need = needOf(corner, distances, i, j);
+            const Need need = needOf(sides, distances, i, j);
             if (!need.ofValue)
                 continue;
-            const double distance = corner.distance(place);
-            const double code = need.ofCrease ? corner.code(place) : 0.0;
+            const double distance = corner.distance(sides.atTexel(i, j));
+            const double code = need.ofCrease ? corner.code(sides.atTexel(i, j)) : 0.0;
             result.isAlone = result.isAlone && agrees(corner, distance, distances.at(i, j)) &&
                              (!corner.isConvex || std::abs(code) < textures::kLeastReflexTexels);
             result.samples.push_back({{i, j}, away, distance, code});
@@ -172,8 +200,9 @@ class CreaseMap {
         }
     }
 
-    // Distances and codes, and for each corner what its samples allow of steps.
-    void writeTo(CreasedDistances& creased, std::vector<std::vector<StepBound>>& bounds) const;
+    // Changes the distances that it was made of, and codes. Returns for each corner what its
+    // samples allow of steps.
+    [[nodiscard]] std::vector<std::vector<StepBound>> writeTo(Plane& distance, Plane& code) const;
 
   private:
     struct Entry {
@@ -208,102 +237,115 @@ bool CreaseMap::clashes(std::size_t corner, const Sample& sample) const {
     return false;
 }
 
-void CreaseMap::writeTo(CreasedDistances& creased,
-                        std::vector<std::vector<StepBound>>& bounds) const {
+std::vector<std::vector<StepBound>> CreaseMap::writeTo(Plane& distance, Plane& code) const {
     std::map<std::size_t, std::vector<StepBound>> byCorner;
     for (const auto& [index, entry] : entries_) {
         const Sample& sample = entry.sample;
-        creased.distance.texels[index] = static_cast<float>(sample.distance);
-        creased.code.texels[index] = static_cast<float>(sample.code);
         // A convex crease comes down to the mean of A and B.
         const double c = std::abs(sample.code);
         const double most = sample.distance - (c < textures::kLeastReflexTexels ? 0.5 * c : 0.0);
-        if (most < static_cast<double>(distances_.plane.texels[index]))
+        if (most < static_cast<double>(distance.texels[index]))
             byCorner[entry.corner].push_back({sample.texel, most});
+        distance.texels[index] = static_cast<float>(sample.distance);
+        code.texels[index] = static_cast<float>(sample.code);
     }
+    std::vector<std::vector<StepBound>> bounds;
     for (auto& [corner, group] : byCorner)
         bounds.push_back(std::move(group));
+    return bounds;
 }
 
 // Follows the crease outside of a reflex corner from cell to cell away from the outline, to where
 // the nearest point of the outline is on neither side any more, or another crease comes.
 class CreaseTrail {
   public:
-    CreaseTrail(const OutlineCorner& corner, std::size_t number, const Distances& distances,
-                CreaseMap& map)
-        : corner_(corner), number_(number), distances_(distances), map_(map) {}
+    CreaseTrail(const OutlineCorner& corner, std::size_t number, const Distances& distances)
+        : sides_(corner), number_(number), distances_(distances) {}
 
-    void follow() {
-        const glm::ivec2 first(glm::floor(corner_.place - 0.5));
-        visitAround(first);
-        while (!open_.empty()) {
-            const glm::ivec2 cell = open_.back();
-            open_.pop_back();
-            if (extendTo(cell))
+    // Measures the sides wherever it may lead: what takes long and needs no other trail.
+    void explore() {
+        walk([](const std::vector<Sample>&) { return true; });
+    }
+
+    void follow(CreaseMap& map) {
+        walk([&](const std::vector<Sample>& samples) {
+            if (!map.accepts(number_, samples))
+                return false;
+            map.write(number_, samples);
+            return true;
+        });
+    }
+
+  private:
+    // On from each cell whose samples `take` accepts.
+    template <typename Take>
+    void walk(const Take& take) {
+        std::set<std::pair<int, int>> seen;
+        std::vector<glm::ivec2> open;
+        const auto visitAround = [&](const glm::ivec2& cell) {
+            for (int j = cell.y - 1; j <= cell.y + 1; ++j)
+                for (int i = cell.x - 1; i <= cell.x + 1; ++i)
+                    if (seen.insert({i, j}).second)
+                        open.emplace_back(i, j);
+        };
+        visitAround(glm::ivec2(glm::floor(sides_.corner().place - 0.5)));
+        while (!open.empty()) {
+            const glm::ivec2 cell = open.back();
+            open.pop_back();
+            const Cell found = look(cell);
+            if (found.isBesideCorner || (found.isCreased && take(found.samples)))
                 visitAround(cell);
         }
     }
 
-  private:
-    void visitAround(const glm::ivec2& cell) {
-        for (int j = cell.y - 1; j <= cell.y + 1; ++j)
-            for (int i = cell.x - 1; i <= cell.x + 1; ++i)
-                if (seen_.insert({i, j}).second)
-                    open_.emplace_back(i, j);
-    }
-
-    // Whether it has come to a cell, or through it: the one of the corner has its crease already.
-    bool extendTo(const glm::ivec2& cell) {
-        constexpr double kAtCorner = 2.0;
-        const double away = glm::distance(glm::dvec2(cell) + 1.0, corner_.place);
-        if (away > kLongestCrease || !isCreased(corner_, cell.x, cell.y))
-            return false;
+    struct Cell {
+        bool isBesideCorner = false;  // it has the crease of the corner already
+        bool isCreased = false;
         std::vector<Sample> samples;
+    };
+
+    Cell look(const glm::ivec2& cell) {
+        constexpr double kAtCorner = 2.0;
+        const OutlineCorner& corner = sides_.corner();
+        const double away = glm::distance(glm::dvec2(cell) + 1.0, corner.place);
+        if (away > kLongestCrease || !isCreased(sides_, cell.x, cell.y))
+            return {};
+        Cell result{false, true, {}};
         for (const int y : {cell.y, cell.y + 1})
             for (const int x : {cell.x, cell.x + 1}) {
-                const glm::dvec2 place(x + 0.5, y + 0.5);
+                const SideDistances& sides = sides_.atTexel(x, y);
                 const double distance = distances_.at(x, y);
                 if (distances_.wrap != WrapMode::Repeat && !distances_.isInTile(x, y))
-                    return false;
+                    return {};
                 // Along the crease both sides are nearest, as far as distances tell.
-                if (std::abs(corner_.distance(place) - distance) > kTolerance)
-                    return away < kAtCorner;
-                samples.push_back({distances_.texel(x, y), 0.0, distance, corner_.code(place)});
+                if (std::abs(corner.distance(sides) - distance) > kTolerance)
+                    return {away < kAtCorner, false, {}};
+                result.samples.push_back(
+                    {distances_.texel(x, y), 0.0, distance, corner.code(sides)});
             }
-        if (!map_.accepts(number_, samples))
-            return false;
-        map_.write(number_, samples);
-        return true;
+        return result;
     }
 
     static constexpr double kTolerance = 0.01;
 
-    const OutlineCorner& corner_;
+    MeasuredCorner sides_;
     std::size_t number_;
     const Distances& distances_;
-    CreaseMap& map_;
-    std::set<std::pair<int, int>> seen_;
-    std::vector<glm::ivec2> open_;
 };
 
 }  // namespace
 
-CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, const Plane& distance,
+CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, Plane distance,
                                WrapMode wrap, double leastTurn) {
     const Distances distances{distance, wrap};
     const OutlineCorners outline = outlineCorners(boundary, leastTurn);
     const std::vector<OutlineCorner>& corners = outline.corners;
+    std::vector<CornerSamples> found(corners.size());
+    tbb::parallel_for(std::size_t{0}, corners.size(),
+                      [&](std::size_t k) { found[k] = samplesOf(corners[k], distances); });
     CreaseMap map(distances);
     CreasedDistances result;
-    std::vector<CornerSamples> found(corners.size());
-    tbb::parallel_invoke(
-        [&] {
-            tbb::parallel_for(std::size_t{0}, corners.size(),
-                              [&](std::size_t k) { found[k] = samplesOf(corners[k], distances); });
-        },
-        [&] { result.distance = distance; }, [&] { result.step = distance; },
-        [&] { result.code = Plane(distance.width, distance.height); });
-    std::vector<std::size_t> reflex;  // sharp ones of the tile
+    std::vector<CreaseTrail> trails;
     for (const glm::dvec2& place : outline.crowded)
         result.roundCorners += isInTile(place, distance) ? 1 : 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -316,13 +358,21 @@ CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary, con
         ++(isSharp ? result.sharpCorners : result.roundCorners);
         // Inside of convex corners creases would lower the steps along all of their sides.
         if (isSharp && !corners[k].isConvex)
-            reflex.push_back(k);
+            trails.emplace_back(corners[k], k, distances);
     }
-    for (const std::size_t k : reflex)
-        CreaseTrail(corners[k], k, distances, map).follow();
-    std::vector<std::vector<StepBound>> bounds;
-    map.writeTo(result, bounds);
-    lowerToBounds(result.step, wrap, bounds);
+    if (result.sharpCorners > 0) {
+        tbb::parallel_for(std::size_t{0}, trails.size(),
+                          [&](std::size_t k) { trails[k].explore(); });
+        tbb::parallel_invoke(
+            [&] {
+                for (CreaseTrail& trail : trails)
+                    trail.follow(map);
+            },
+            [&] { result.step = distance; },
+            [&] { result.code = Plane(distance.width, distance.height); });
+        lowerToBounds(result.step, wrap, map.writeTo(distance, result.code));
+    }
+    result.distance = std::move(distance);
     return result;
 }
 

@@ -37,9 +37,10 @@ inline constexpr double kCornerOfBitmap = 0.61;
 /// Corners stay round that have another part of the outline, or another corner of the other kind,
 /// within a few texels.
 ///
-/// A corner is where the boundary turns by at least `leastTurn` (radians).
+/// A corner is where the boundary turns by at least `leastTurn` (radians). Where none becomes sharp
+/// codes and steps have no texels.
 CreasedDistances creaseCorners(const std::vector<BoundarySegment>& boundary,
-                               const textures::Plane& distance, textures::WrapMode wrap,
+                               textures::Plane distance, textures::WrapMode wrap,
                                double leastTurn = kCornerOfDrawing);
 
 }  // namespace relievo::preprocess

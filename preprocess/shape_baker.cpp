@@ -111,8 +111,6 @@ double makeCreasesSure(ShapeMap& map) {
 
 // Rounds a channel to the format. Returns the most that it changes.
 double roundToFormat(Plane& plane, const char* channel, textures::StorageFormat format) {
-    if (format == textures::StorageFormat::Float)
-        return 0.0;
     const std::vector<float> before = plane.texels;
     textures::storeInPlace(plane, channel, format);
     double most = 0.0;
@@ -123,6 +121,8 @@ double roundToFormat(Plane& plane, const char* channel, textures::StorageFormat 
 
 // Rounds distances and creases to the format, with steps still under both.
 void roundToFormat(ShapeMap& map, textures::StorageFormat format) {
+    if (format == textures::StorageFormat::Float)
+        return;
     const double distances = roundToFormat(map.distance, "distance", format);
     if (!map.isCreased()) {
         map.slack += distances;
@@ -207,18 +207,18 @@ void cover(const Sampled& shape, const BoundaryDistances& distances, std::size_t
 // Sharpens the corners of distances in texels.
 void crease(const Sampled& shape, const ShapePlan& plan, ShapeMap& map) {
     CreasedDistances found =
-        creaseCorners(shape.boundary, map.distance, plan.wrap,
+        creaseCorners(shape.boundary, std::move(map.distance), plan.wrap,
                       shape.coverage != nullptr ? kCornerOfBitmap : kCornerOfDrawing);
+    map.distance = std::move(found.distance);
     if (found.sharpCorners == 0)
         return;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.step.texels.size(), kTexelsAtOnce),
-                      [&](const tbb::blocked_range<std::size_t>& texels) {
-                          for (std::size_t t = texels.begin(); t < texels.end(); ++t)
-                              if (found.step.texels[t] == found.distance.texels[t] &&
-                                  found.code.texels[t] == 0.0f)
-                                  found.step.texels[t] = kNotLowered;
-                      });
-    map.distance = std::move(found.distance);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, found.step.texels.size(), kTexelsAtOnce),
+        [&](const tbb::blocked_range<std::size_t>& texels) {
+            for (std::size_t t = texels.begin(); t < texels.end(); ++t)
+                if (found.step.texels[t] == map.distance.texels[t] && found.code.texels[t] == 0.0f)
+                    found.step.texels[t] = kNotLowered;
+        });
     map.creases = {std::move(found.code), std::move(found.step)};
 }
 
