@@ -104,6 +104,17 @@ std::optional<double> atEqualError(const std::vector<SolidMeasurement>& ours,
     return ratio < kNever ? std::optional(ratio) : std::nullopt;
 }
 
+// Of each solid, shape and elevation every other search, with the measurements of ours and its own.
+template <typename Work>
+void withOurs(const std::vector<SolidMeasurement>& measurements, const Work& work) {
+    const SeriesOfBudgets series = byBudget(measurements);
+    for (const SolidMeasurement& m : measurements) {
+        const auto ours = series.find(keyOf(m, kOurs));
+        if (m.isDefault && m.technique != kOurs && ours != series.end())
+            work(m, ours->second, series.at(keyOf(m, m.technique)));
+    }
+}
+
 using Summary = ReportCell (*)(const std::vector<double>&);
 
 ReportCell nothingUnlessAll(const std::vector<double>& values, Summary summary) {
@@ -114,15 +125,10 @@ ReportCell nothingUnlessAll(const std::vector<double>& values, Summary summary) 
 template <typename Cost>
 ReportTable ratiosAtEqualError(const std::vector<SolidMeasurement>& measurements, const Cost& cost,
                                std::string (*row)(const SolidMeasurement&), Summary summary) {
-    const SeriesOfBudgets series = byBudget(measurements);
     MeasurementGrid grid;
-    for (const SolidMeasurement& m : measurements) {
-        const auto ours = series.find(keyOf(m, kOurs));
-        if (!m.isDefault || m.technique == kOurs || ours == series.end())
-            continue;
-        const auto ratio = atEqualError(ours->second, series.at(keyOf(m, m.technique)), cost);
-        grid.add(row(m), columnOf(m), ratio.value_or(kNever));
-    }
+    withOurs(measurements, [&](const SolidMeasurement& m, const auto& ours, const auto& theirs) {
+        grid.add(row(m), columnOf(m), atEqualError(ours, theirs, cost).value_or(kNever));
+    });
     return grid.table("search", [summary](const std::vector<double>& values) {
         return nothingUnlessAll(values, summary);
     });
@@ -141,18 +147,13 @@ ReportCell rangeAndCount(const std::vector<double>& ratios) {
 
 // Ours over theirs: a row a search, a column a share of wrong hits.
 ReportTable ratiosWithin(const std::vector<SolidMeasurement>& measurements) {
-    const SeriesOfBudgets series = byBudget(measurements);
     MeasurementGrid grid;
-    for (const SolidMeasurement& m : measurements) {
-        const auto ours = series.find(keyOf(m, kOurs));
-        if (!m.isDefault || m.technique == kOurs || ours == series.end())
-            continue;
-        const std::vector<SolidMeasurement>& theirs = series.at(keyOf(m, m.technique));
+    withOurs(measurements, [&](const SolidMeasurement& m, const auto& ours, const auto& theirs) {
         for (const double percent : {20.0, 10.0, 5.0, 2.0, 1.0, 0.5})
             grid.add(m.technique, fmt::format("{} %", percent),
-                     fetchesWithin(ours->second, theirs, 0.01 * percent)
+                     fetchesWithin(ours, theirs, 0.01 * percent)
                          .value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
+    });
     return grid.table("search", rangeAndCount);
 }
 

@@ -182,6 +182,11 @@ std::vector<SolidCase> extrusionCases() {
     cases.push_back(boxed("star of 512², chamfer",
                           {extrusion(sampleShape("star", {.width = 512, .height = 512}),
                                      makeProfile(0.0, 0.08, 0.3))}));
+    // Beyond corners (textures::kCornersEndTexels) from the start, and from some depth on.
+    for (const auto& [name, profile] : {std::pair("extended", makeProfile(0.045)),
+                                        std::pair("negative bevel", makeProfile(0.06, -0.08))})
+        cases.push_back(sunk(fmt::format("letters of 160, {}", name),
+                             extrusion(sampleShape("letters", {.width = 160}), profile)));
     SolidPart cut = extrusion(boxStar, makeProfile(0.0, 0.08, 0.9));
     cut.windowMinimum = {0.13, 0.4, 0.25};
     cut.windowMaximum = {0.77, 0.9, 0.7};
@@ -232,6 +237,7 @@ std::vector<SolidCase> revolutionCases() {
         glm::dvec3(1.0), 1.0));
     cases.push_back(boxed("torus, extended", {revolution(sampleShape("torus", clamped), 0.04)}));
     cases.push_back(boxed("cone, smaller", {revolution(sampleShape("cone", clamped), -0.05)}));
+    cases.push_back(boxed("cone, larger", {revolution(sampleShape("cone", clamped), 0.05)}));
     cases.push_back(
         boxed("torus of 1024²",
               {revolution(sampleShape("torus",
