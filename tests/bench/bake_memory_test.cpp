@@ -11,9 +11,10 @@ namespace relievo::bench {
 namespace {
 
 // Bytes besides map and result for each texel that a map has more. Tables of a fixed size do not
-// count; a large map has almost nothing else.
+// count; a large map has almost nothing else. On one thread: every further one has such tables, and
+// it is chance whether it comes in time to make them for a small map.
 std::map<std::string, double> bytesPerFurtherTexel(const std::vector<std::string>& builders) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
     BakeBenchmarkOptions options;
     options.samples = {"cobbles"};
     options.builders = builders;
